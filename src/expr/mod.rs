@@ -1,0 +1,18 @@
+//! Tree → graph: mathematics without a number type.
+//!
+//! In: a program's tree ([`crate::syntax`]). Out: a hash-consed [`graph::Graph`] in which equal
+//! subexpressions are one node, its symbolic derivatives, and its equations rewritten so that they
+//! are easy to solve. Knows no scene, no pixel, no colour.
+//!
+//! - [`op`]: THE table of operations.
+//! - [`graph`]: the arena; a node is made once.
+//! - [`simplify`]: the named rules that every new node goes through; none changes where f is defined.
+//! - [`derivative`]: the rule of every operation.
+//! - [`polynomial`]: exact polynomials over nodes as letters; square-free parts.
+//! - [`equation`]: f = 0 as the sheets whose roots it has.
+//! - [`lower`]: names, functions, parameters, lists and regions become nodes.
+//! - [`print`]: text that reads back as the same graph, and LaTeX.
+
+pub mod graph;
+pub mod op;
+pub mod simplify;

@@ -1,0 +1,95 @@
+//! What a number type must be able to do so that closures can compute with it.
+//!
+//! One value of a [`Number`] is a whole batch: 64 points, 16 intervals. Every operation reads batches and
+//! writes one; it is written once and compiled for every [`Level`].
+
+use super::interval::Interval;
+use super::level::Level;
+
+/// A constant as every number type may want it.
+#[derive(Clone, Copy, Debug)]
+pub struct Constant {
+    /// The nearest f64.
+    pub point: f64,
+    /// An interval that contains the exact value.
+    pub range: Interval,
+}
+
+/// A batch of numbers of one kind.
+///
+/// Every method computes its operation for all lanes; without value (NaN) in, without value out. The
+/// meaning of each is that of the operation of the same name in the expression graph.
+pub trait Number: Clone + Send + Sync + 'static {
+    /// The batch with the same number in every lane.
+    fn constant(value: Constant) -> Self;
+    /// −a
+    fn neg<L: Level>(a: &Self, out: &mut Self);
+    /// |a|
+    fn abs<L: Level>(a: &Self, out: &mut Self);
+    /// −1, 0, 1
+    fn sign<L: Level>(a: &Self, out: &mut Self);
+    /// √a
+    fn sqrt<L: Level>(a: &Self, out: &mut Self);
+    /// e^a
+    fn exp<L: Level>(a: &Self, out: &mut Self);
+    /// natural logarithm
+    fn ln<L: Level>(a: &Self, out: &mut Self);
+    /// logarithm to base 2
+    fn log2<L: Level>(a: &Self, out: &mut Self);
+    /// logarithm to base 10
+    fn log10<L: Level>(a: &Self, out: &mut Self);
+    /// sine
+    fn sin<L: Level>(a: &Self, out: &mut Self);
+    /// cosine
+    fn cos<L: Level>(a: &Self, out: &mut Self);
+    /// sine and cosine at the cost of little more than one
+    fn sin_cos<L: Level>(a: &Self, sin: &mut Self, cos: &mut Self);
+    /// tangent
+    fn tan<L: Level>(a: &Self, out: &mut Self);
+    /// arcsine
+    fn asin<L: Level>(a: &Self, out: &mut Self);
+    /// arccosine
+    fn acos<L: Level>(a: &Self, out: &mut Self);
+    /// arctangent
+    fn atan<L: Level>(a: &Self, out: &mut Self);
+    /// hyperbolic sine
+    fn sinh<L: Level>(a: &Self, out: &mut Self);
+    /// hyperbolic cosine
+    fn cosh<L: Level>(a: &Self, out: &mut Self);
+    /// hyperbolic tangent
+    fn tanh<L: Level>(a: &Self, out: &mut Self);
+    /// inverse hyperbolic sine
+    fn asinh<L: Level>(a: &Self, out: &mut Self);
+    /// inverse hyperbolic cosine
+    fn acosh<L: Level>(a: &Self, out: &mut Self);
+    /// inverse hyperbolic tangent
+    fn atanh<L: Level>(a: &Self, out: &mut Self);
+    /// error function
+    fn erf<L: Level>(a: &Self, out: &mut Self);
+    /// largest whole number ≤ a
+    fn floor<L: Level>(a: &Self, out: &mut Self);
+    /// a²
+    fn square<L: Level>(a: &Self, out: &mut Self);
+    /// a^n by repeated squaring, n ≠ 0
+    fn power<L: Level>(a: &Self, n: i64, out: &mut Self);
+    /// real root of odd order n ≥ 3
+    fn root<L: Level>(a: &Self, n: u32, out: &mut Self);
+    /// a + b
+    fn add<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// a − b
+    fn sub<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// a · b
+    fn mul<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// a / b
+    fn div<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// the smaller
+    fn min<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// the larger
+    fn max<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// a^b, a > 0 or (a = 0 and b > 0)
+    fn pow<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// angle of (x = b, y = a)
+    fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// a where c ≤ 0, else b
+    fn choose<L: Level>(c: &Self, a: &Self, b: &Self, out: &mut Self);
+}
