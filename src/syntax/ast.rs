@@ -183,6 +183,8 @@ pub enum ExprKind {
         /// The term.
         body: Box<Expr>,
     },
+    /// What could not be read; an error has been reported, and whatever uses it should stay silent.
+    Invalid,
 }
 
 /// What the running name of a sum takes as values.
