@@ -18,6 +18,7 @@ pub mod derivative;
 #[cfg(test)]
 mod estimate;
 pub mod graph;
+pub mod lower;
 pub mod op;
 pub mod signs;
 pub mod simplify;
