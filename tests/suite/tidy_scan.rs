@@ -155,7 +155,7 @@ fn only_code_is_left() {
     for (text, expect) in [
         ("a // b\nc", "a     \nc"),
         ("a /* b /* c */ d */ e", "a                   e"),
-        ("f(\"x // \\\" y\") g", "f(            ) g"),
+        ("f(\"x // \\\" y\") g", "f(           ) g"),
         ("r#\"a\"b\"# c", "         c"),
         ("r#type", "r#type"),
         ("'a' '\\'' 'b", "         'b"),

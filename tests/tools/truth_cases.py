@@ -183,7 +183,7 @@ add("cuspidal_edge", "y^2=x^3", lambda x, y, z: y * y - x**3)
 add("swallowtail", "16*x^4*z-4*x^3*y^2-128*x^2*z^2+144*x*y^2*z-27*y^4+256*z^3",
     lambda x, y, z: 16 * x**4 * z - 4 * x**3 * y**2 - 128 * x**2 * z**2 + 144 * x * y**2 * z - 27 * y**4 + 256 * z**3,
     eye=[-3.0, -2.4, 1.8])
-add("spindle_torus", f"({S}+0.75)^2=4*(x^2+y^2)-0+0.5*z^2-2*z^2",
+add("flattened_torus", f"({S}+0.75)^2=4*(x^2+y^2)-1.5*z^2",
     lambda x, y, z: (squares(x, y, z) + q("0.75")) ** 2 - 4 * (x * x + y * y) + q("1.5") * z * z)
 add("horn_torus", f"({S})^2=4*(x^2+y^2)", lambda x, y, z: squares(x, y, z) ** 2 - 4 * (x * x + y * y), clip=box(2.2, 2.2, 1.2),
     eye=[4.0, -3.0, 4.0])
@@ -251,7 +251,7 @@ add("choice", "z=if(x<0.25,x^2,y/2)", Piece(lambda x, y, z: z - x * x, lambda x,
     Piece(lambda x, y, z: 2 * z - y, lambda x, y, z: x - q("0.25")))
 add("step_function", "z=step(0,x)-0.5", Piece(lambda x, y, z: 2 * z - 1, lambda x, y, z: x),
     Piece(lambda x, y, z: 2 * z + 1, lambda x, y, z: -x))
-add("sign_times_sphere", f"sign(x-0.1)*({S}-1)", Piece(ONE, lambda x, y, z: (x - q("0.1")) ** 2))
+add("step_times_sphere", f"(2*step(0.1,x)-1)*({S}-1)", Piece(ONE, lambda x, y, z: (x - q("0.1")) ** 2))
 add("floor_levels", f"floor(2*({S}))=1", lambda x, y, z: x * x + 1, size=(12, 9), clip=ball(0.7),
     decided="the clip holds only x^2+y^2+z^2 < 0.5, where the left side is 0: empty")
 
@@ -260,7 +260,9 @@ add("hemisphere", "z=sqrt(1-x^2-y^2)", Piece(ONE, lambda x, y, z: z), eye=[3.0, 
 add("square_root", "z=sqrt(x)", Piece(lambda x, y, z: z * z - x, lambda x, y, z: z))
 add("three_roots", "sqrt(x)+sqrt(y)+sqrt(z)=1",
     Piece(lambda x, y, z: (squares(x, y, z) - 2 * (x * y + y * z + z * x) - 2 * (x + y + z) + 1) ** 2 - 64 * x * y * z,
-          lambda x, y, z: x, lambda x, y, z: y, lambda x, y, z: z, lambda x, y, z: 1 - x - y - z),
+          lambda x, y, z: x, lambda x, y, z: y, lambda x, y, z: z,
+          # Of the choices of signs that the polynomial holds, all plus is the one with the least sum: 1.
+          lambda x, y, z: q("1.000001") - sqrt(x) - sqrt(y) - sqrt(z)),
     eye=[2.0, 1.4, 1.8], look_at=[0.3, 0.3, 0.3], clip={"box": [-0.1, 1.1, -0.1, 1.1, -0.1, 1.1]})
 add("square_of_root", "z=sqrt(x)^2", Piece(lambda x, y, z: z - x, lambda x, y, z: x))
 add("root_zero_outside", f"sqrt({S}-1)", ONE)
@@ -277,8 +279,8 @@ add("arcsine", "z=asin(x)", search(lambda x, y, z: sin(z) - x), clip=box(1.5, 1.
 add("arcsine_across", "x=asin(z)", search(lambda x, y, z: sin(x) - z), clip=box(1.5, 1.5, 1.5), decided="sin x = z by " + BALLS)
 add("arcsine_whole", "z=asin(x)", search(lambda x, y, z: sin(z) - x, lambda x, y, z: cos(z)), clip=box(2.0),
     eye=[5.0, -3.0, 2.0], decided="sin z = x where cos z > 0 by " + BALLS)
-add("arccosine", "z=acos(x*y)", search(lambda x, y, z: cos(z) - x * y, lambda x, y, z: sin(z)), clip=box(2.0, 2.0, 3.5),
-    eye=[6.0, -5.0, 5.0], decided="cos z = x y where sin z > 0 by " + BALLS)
+add("arccosine", "z=acos(x*y)", search(lambda x, y, z: cos(z) - x * y, lambda x, y, z: sin(z), lambda x, y, z: z), clip=box(2.0, 2.0, 3.5),
+    eye=[6.0, -5.0, 5.0], decided="cos z = x y where sin z and z are > 0 by " + BALLS)
 add("area_cosine", "z=acosh(x)", search(lambda x, y, z: cosh(z) - x, lambda x, y, z: z), clip=box(3.0), eye=[6.0, -4.0, 5.0],
     decided="cosh z = x where z > 0 by " + BALLS)
 add("area_tangent", "z=atanh(x)", search(lambda x, y, z: tanh(z) - x), clip=box(2.5), eye=[5.0, -4.0, 3.0],
@@ -292,8 +294,11 @@ add("root_of_wave", "z=sqrt(sin(3*x))", search(lambda x, y, z: z * z - sin(3 * x
 # Powers.
 add("cube_root", "z=x^(1/3)", lambda x, y, z: z**3 - x)
 add("cube_root_square", "z=x^(2/3)", lambda x, y, z: z**3 - x**2)
-add("cube_root_sum", "x^(2/3)+y^(2/3)+z^(2/3)=1",
-    lambda x, y, z: (squares(x, y, z) - 1) ** 3 + 27 * x**2 * y**2 * z**2)
+add("cube_root_sum", "x^(2/3)+y^(2/3)=1", lambda x, y, z: (x * x + y * y - 1) ** 3 + 27 * x**2 * y**2,
+    decided="a + b + d = 0 gives a^3 + b^3 + d^3 = 3 a b d; " + POLYNOMIAL)
+add("cube_root_spun", "x^(2/3)+y^(2/3)+z^2=1",
+    lambda x, y, z: (x * x + y * y + (z * z - 1) ** 3) ** 3 - 27 * x**2 * y**2 * (z * z - 1) ** 3, size=(32, 24),
+    decided="a + b + d = 0 gives a^3 + b^3 + d^3 = 3 a b d; " + POLYNOMIAL)
 add("fifth_root", "z=root(5,x-y)", lambda x, y, z: z**5 - x + y)
 add("cbrt_sphere", f"cbrt({S})=1", ONE)
 add("power_variable", "x^y=z", search(lambda x, y, z: y * ln(x) - ln(z)),
