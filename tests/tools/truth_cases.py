@@ -380,6 +380,54 @@ add("mixed_roots", f"sqrt(x^2+y^2+0.01)+sin(4*z)/4=0.8",
 add("high_frequency", "z=0.3*sin(40*x)*sin(40*y)", search(lambda x, y, z: z - q("0.3") * sin(40 * x) * sin(40 * y)), clip=box(1.0),
     eye=[1.5, -1.2, 2.0], size=(24, 18))
 
+
+def shifted(name, offset):
+    """`(x-0.3)` with the sign as people write it."""
+    if offset in ("0", "-0"):
+        return name
+    return f"({name}+{offset[1:]})" if offset.startswith("-") else f"({name}-{offset})"
+
+
+def distance_text(c):
+    return "+".join(f"{shifted(name, offset)}^2" for name, offset in zip("xyz", c))
+
+
+# Many terms.
+CENTRES = [
+    ("0.372", "-0.468", "0.42"), ("-0.944", "0.04", "-0.025"), ("0.246", "-0.312", "-0.584"),
+    ("-0.302", "0.781", "-0.785"), ("-0.485", "0.344", "0.695"), ("0.094", "0.301", "-0.6"),
+    ("-0.41", "-0.131", "0.5"), ("-0.61", "0.136", "0.037"), ("-0.246", "-0.762", "0.35"),
+    ("0.803", "-0.264", "0.492"), ("-0.899", "0.259", "0.118"), ("0.48", "0.97", "-0.248"),
+    ("-0.3", "-0.937", "0.145"), ("-0.312", "-0.84", "0.729"), ("0.956", "0.118", "-0.027"),
+    ("-0.297", "-0.96", "-0.112"), ("-0.46", "-0.295", "-0.906"), ("-0.817", "-0.362", "0.597"),
+    ("-0.147", "0.87", "-0.004"), ("-0.677", "-0.12", "-0.616"),
+]
+GAUSSIANS = [sphere("0", c) for c in CENTRES]
+add("twenty_gaussians", "+".join(f"exp(-4*({distance_text(c)}))" for c in CENTRES) + "-0.6",
+    search(lambda x, y, z: sum((exp(-4 * g(x, y, z)) for g in GAUSSIANS[1:]), exp(-4 * GAUSSIANS[0](x, y, z))) - q("0.6")),
+    clip=ball(2.5), eye=[2.566, -3.91, 2.077], size=(24, 18))
+GRID = [(a, b, c) for a in ("-0.8", "0", "0.8") for b in ("-0.8", "0", "0.8") for c in ("-0.8", "0", "0.8")]
+BALLS_TEXT = "min(" + ",".join(f"sqrt({distance_text(c)})-0.5" for c in GRID) + ")"
+CUT_TEXT = "(0.9-sqrt((x-0.7)^2+(y+0.9)^2+(z-0.6)^2))"
+
+
+def cut_ball(c):
+    """The smooth maximum of one ball and the outside of the ball that is cut away."""
+    near, cut = sphere("0", c), sphere("0", ("0.7", "-0.9", "0.6"))
+
+    def g(x, y, z):
+        a, b = sqrt(near(x, y, z)) - q("0.5"), q("0.9") - sqrt(cut(x, y, z))
+        return a + b + sqrt((a - b) ** 2 + q("0.01"))
+
+    return g
+
+
+add("balls_cut_smoothly", f"a={BALLS_TEXT}; b={CUT_TEXT}; (a+b+sqrt((a-b)^2+0.01))/2=0",
+    *[search(cut_ball(c)) for c in GRID], clip=ball(2.5), eye=[2.786, -4.245, 2.255], size=(16, 12),
+    decided="from outside, the first root of the least of 27 functions is the first root of any; " + BALLS)
+add("balls", BALLS_TEXT, *[sphere("0.25", c) for c in GRID], clip=ball(2.5), eye=[2.786, -4.245, 2.255], size=(32, 24),
+    decided="from outside, the first root of the least of 27 functions is the first root of any; " + POLYNOMIAL)
+
 # The same from other sides.
 for case, count, seed, distance in [
     ("double_square", 2, 11, 4.5), ("double_letters", 2, 12, 10.0), ("barth_sextic_decimals", 3, 13, 5.0), ("kummer", 2, 14, 7.0),

@@ -41,7 +41,11 @@ NAMES = dict(
 
 
 def compiled(formula):
-    text = formula.replace("^(1/3)", "^third").replace("^(2/3)", "^two_thirds").replace("if(", "choose(")
+    *definitions, text = formula.split(";")
+    for definition in definitions:
+        name, value = definition.split("=")
+        text = re.sub(rf"\b{name.strip()}\b", f"({value})", text)
+    text = text.replace("^(1/3)", "^third").replace("^(2/3)", "^two_thirds").replace("if(", "choose(")
     text = re.sub(r"\|(\w)\|", r"abs(\1)", text)
     text = re.sub(r"(\w)\^third", r"cbrt(\1)", text)
     text = re.sub(r"(\w)\^two_thirds", r"cbrt(\1)**2", text)
