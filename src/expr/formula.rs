@@ -107,13 +107,20 @@ impl Reader<'_> {
     fn call(&mut self, name: &str) -> NodeId {
         assert!(self.take('('), "{name}");
         let mut args = vec![self.sum()];
+        if name == "if" {
+            assert!(self.take('<') && self.take('=') && self.take('0'), "if takes <= 0");
+        }
         while self.take(',') {
             args.push(self.sum());
         }
         assert!(self.take(')'), "missing )");
         let op = match name {
             "cbrt" => Op::Root(3),
-            "choose" => Op::Choose,
+            "if" => Op::Choose,
+            "root" => {
+                let order = self.graph.constant(args.remove(0)).and_then(Rational::to_i64);
+                Op::Root(order.and_then(|n| u32::try_from(n).ok()).expect("the order of a root"))
+            }
             name => Op::ALL
                 .into_iter()
                 .find(|op| op.arity() > 0 && format!("{op:?}").to_lowercase() == name)

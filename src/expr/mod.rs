@@ -23,5 +23,6 @@ mod formula;
 pub mod graph;
 pub mod op;
 pub mod polynomial;
+pub mod print;
 pub mod signs;
 pub mod simplify;

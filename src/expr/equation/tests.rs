@@ -79,7 +79,7 @@ const ROWS: &[(&str, &str)] = &[
     ("1/(1/x)-y", "x-y / x"),
     ("z-sin(x)/x", "x*z-sin(x) / x"),
     ("(x/y)^2-z", "x^2-z*y^2 / y"),
-    ("(x+1/y)^-1-z", "y^2-y*z*(x*y+1) / y / x*y+1"),
+    ("(x+1/y)^-1-z", "x*y*z-y+z / y / x*y+1"),
     // Repeated factors in expanded form.
     ("z^2-2*z*sin(x)+sin(x)^2", "z-sin(x)"),
     ("x^4+y^4+z^4+2*x^2*y^2+2*x^2*z^2+2*y^2*z^2-2*x^2-2*y^2-2*z^2+1", "x^2+y^2+z^2-1"),
