@@ -144,18 +144,28 @@ fn product_form(graph: &Graph, a: NodeId, b: NodeId, between: &'static str) -> F
         return (Binding::Product, pieces);
     };
     let binding = if c.is_negative() { Binding::Sum } else { Binding::Product };
-    // 0*(u/v) is kept for its domain, and (0*u)/v is another node.
-    let rest = if c.is_zero() { Binding::Factor } else { Binding::Product };
+    // 0*(u/v) is kept for its domain, and (0*u)/v is another node; (2*3/u)/v would fold.
+    let kept = c.is_zero() || graph.constant(first_factor(graph, b)).is_some();
+    let rest = if kept { Binding::Factor } else { Binding::Product };
     (binding, vec![Free(a), Text(between), Piece::Node(b, rest)])
 }
 
 /// How tightly what follows a minus must bind: the sign may go to the first factor alone, which is the same unless
-/// that is a difference, which would turn round.
-fn negated_binding(graph: &Graph, mut id: NodeId) -> Binding {
+/// that is a difference, which would turn round, or a constant, which would fold.
+fn negated_binding(graph: &Graph, id: NodeId) -> Binding {
+    if matches!(graph.op(first_factor(graph, id)), Op::Sub | Op::Add | Op::Constant(_)) {
+        Binding::Factor
+    } else {
+        Binding::Product
+    }
+}
+
+/// What stands first in a product.
+fn first_factor(graph: &Graph, mut id: NodeId) -> NodeId {
     while matches!(graph.op(id), Op::Mul | Op::Div) {
         id = graph.args(id)[0];
     }
-    if matches!(graph.op(id), Op::Sub | Op::Add) { Binding::Factor } else { Binding::Product }
+    id
 }
 
 fn text_constant(c: &Rational) -> (Binding, String) {
