@@ -21,6 +21,7 @@ mod estimate;
 #[cfg(test)]
 mod formula;
 pub mod graph;
+pub mod lower;
 pub mod op;
 pub mod polynomial;
 pub mod print;
