@@ -14,5 +14,6 @@
 //! - [`print`]: text that reads back as the same graph, and LaTeX.
 
 pub mod graph;
+pub mod lower;
 pub mod op;
 pub mod simplify;
