@@ -271,7 +271,9 @@ pub fn listed<const N: usize>(text: &str) -> Result<[f64; N], String> {
         false => text.split_whitespace().collect(),
     };
     let values = parts.iter().map(|part| number(part)).collect::<Result<Vec<f64>, String>>()?;
-    values.try_into().map_err(|v: Vec<f64>| format!("{N} numbers with commas between them are needed, here are {}", v.len()))
+    values
+        .try_into()
+        .map_err(|v: Vec<f64>| format!("{N} numbers with commas between them are needed, here are {}", v.len()))
 }
 
 fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
@@ -312,8 +314,8 @@ fn orbit(text: &str) -> Result<OrbitArg, String> {
     if let Ok([azimuth, elevation]) = numbers::<2>(text) {
         return Ok(OrbitArg { azimuth, elevation, distance: None });
     }
-    let [azimuth, elevation, distance] =
-        numbers::<3>(text).map_err(|_| "azimuth and elevation, and a distance if you like, are needed: 30,20,5".to_owned())?;
+    let [azimuth, elevation, distance] = numbers::<3>(text)
+        .map_err(|_| "azimuth and elevation, and a distance if you like, are needed: 30,20,5".to_owned())?;
     if distance <= 0.0 {
         return Err("the distance must be more than 0".into());
     }
@@ -347,8 +349,7 @@ fn setting(text: &str) -> Result<(String, Rational), String> {
 }
 
 /// Modes that the design has and this version does not.
-const LATER_MODES: [&str; 8] =
-    ["whitted", "angle", "end", "bounces", "path", "light", "bidirectional", "curvature"];
+const LATER_MODES: [&str; 8] = ["whitted", "angle", "end", "bounces", "path", "light", "bidirectional", "curvature"];
 
 /// The mode of a name.
 ///

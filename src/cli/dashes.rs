@@ -77,7 +77,8 @@ fn is_option(command: &clap::Command, word: &OsStr) -> bool {
     if let Some(long) = text.strip_prefix("--") {
         let name = long.split('=').next().unwrap_or(long);
         let looks_like_a_name = name.len() > 1 && name.bytes().all(|b| b.is_ascii_lowercase() || b == b'-');
-        return looks_like_a_name && (!long.contains('=') || option_of(command, OsStr::new(&format!("--{name}"))).is_some());
+        return looks_like_a_name
+            && (!long.contains('=') || option_of(command, OsStr::new(&format!("--{name}"))).is_some());
     }
     match text.as_bytes() {
         [b'-', b'o', ..] => option_of(command, OsStr::new("-o")).is_some(),
