@@ -347,6 +347,9 @@ impl<'a> Lowerer<'a> {
             AttributeValue::Expr(expr) => match &expr.kind {
                 ExprKind::Name(name) => self.named_color(name, expr.span),
                 ExprKind::Call(name, args) if name.text == "rgb" => self.linear_color(args, expr.span),
+                ExprKind::Call(name, args) if matches!(name.text.as_str(), "hsl" | "hsv") => {
+                    self.color_by_hue(&name.text, args, expr.span)
+                }
                 _ => self.wrong_value(attribute, "a colour", "#4af"),
             },
             _ => self.wrong_value(attribute, "a colour", "#4af"),
@@ -365,20 +368,41 @@ impl<'a> Lowerer<'a> {
     }
 
     fn linear_color(&mut self, args: &'a [Expr], span: Span) -> Reporting<Color> {
-        let [r, g, b] = args else {
-            let message = format!("a colour has three numbers, and this has {}", args.len());
-            return Err(
-                self.report(Diagnostic::error(span, message).help("it is `rgb(red, green, blue)`, from 0 to 1"))
-            );
-        };
-        let [r, g, b] = [r, g, b].map(|expr| {
-            let value = self.known_number(expr, "a part of a colour")?;
-            if (0.0..=1.0).contains(&value) {
-                return Ok(value);
-            }
-            Err(self.report(Diagnostic::error(expr.span, "a part of a surface's colour lies between 0 and 1")))
-        });
+        let [r, g, b] = self.three_parts(args, "rgb(red, green, blue)", span)?;
+        let [r, g, b] = [r, g, b].map(|part| self.part_of_color(part));
         Ok(Color::Linear([r?, g?, b?]))
+    }
+
+    /// `hsl(hue, saturation, lightness)` or `hsv(hue, saturation, value)`, the hue in degrees.
+    fn color_by_hue(&mut self, model: &str, args: &'a [Expr], span: Span) -> Reporting<Color> {
+        let third = if model == "hsl" { "lightness" } else { "value" };
+        let [hue, saturation, last] = self.three_parts(args, &format!("{model}(hue, saturation, {third})"), span)?;
+        let hue = self.known_number(hue, "the hue of a colour");
+        let [saturation, last] = [saturation, last].map(|part| self.part_of_color(part));
+        let (hue, saturation, last) = (hue?, saturation?, last?);
+        Ok(Color::Srgb(if model == "hsl" {
+            colours::of_lightness(hue, saturation, last)
+        } else {
+            colours::of_value(hue, saturation, last)
+        }))
+    }
+
+    fn three_parts(&mut self, args: &'a [Expr], signature: &str, span: Span) -> Reporting<[&'a Expr; 3]> {
+        match args {
+            [a, b, c] => Ok([a, b, c]),
+            _ => {
+                let message = format!("a colour has three numbers, and this has {}", args.len());
+                Err(self.report(Diagnostic::error(span, message).help(format!("it is `{signature}`"))))
+            }
+        }
+    }
+
+    fn part_of_color(&mut self, expr: &'a Expr) -> Reporting<f64> {
+        let value = self.known_number(expr, "a part of a colour")?;
+        if (0.0..=1.0).contains(&value) {
+            return Ok(value);
+        }
+        Err(self.report(Diagnostic::error(expr.span, "a part of a surface's colour lies between 0 and 1")))
     }
 }
 

@@ -3,7 +3,7 @@
 //! In: a name and values. Out: the nodes of the function, composite ones made of simpler operations. Separate
 //! because it is one flat table; what the functions mean is said in `grammar.md`.
 
-use super::regions::Combination;
+use super::regions::{Combination, Edge, Region};
 use super::values::{Placed, Value};
 use super::{Lowerer, Reporting, limits};
 use crate::diag::{Diagnostic, Span};
@@ -123,9 +123,10 @@ impl<'a> Lowerer<'a> {
                 let n = self.degree(n, places[0])?;
                 self.legendre(n, x, span)?
             }
+            ("ball", &[a, b, c, radius]) => return Ok(Value::Region(self.ball_region([a, b, c], radius, span))),
             _ => {
-                let message = format!("`{name}` has no meaning here");
-                return Err(self.report(Diagnostic::error(span, message)));
+                let error = Diagnostic::error(span, format!("`{name}` cannot stand in a formula"));
+                return Err(self.report(error.help("boxes and colours stand behind `clip:` and `color:`")));
             }
         }))
     }
@@ -169,6 +170,18 @@ impl<'a> Lowerer<'a> {
             }
             _ => super::values::reported(),
         }
+    }
+
+    /// The points within `radius` of a centre: |p − c|² − radius².
+    fn ball_region(&mut self, centre: [NodeId; 3], radius: NodeId, span: Span) -> Region {
+        let mut terms = Vec::with_capacity(3);
+        for (coordinate, c) in self.coordinates(span).into_iter().zip(centre) {
+            let away = self.node(Op::Sub, &[coordinate, c], span);
+            terms.push(self.integer_power(away, 2, span));
+        }
+        let square = self.fold(Op::Add, &terms, span);
+        let reach = self.integer_power(radius, 2, span);
+        Region { side: self.node(Op::Sub, &[square, reach], span), edge: Edge::Closed }
     }
 
     /// a − b·floor(a/b).

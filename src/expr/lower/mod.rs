@@ -215,6 +215,7 @@ impl<'a> Lowerer<'a> {
         let span = expr.span;
         match &expr.kind {
             ExprKind::Number(value) => Ok(Value::Number(self.constant(value.clone(), span))),
+            ExprKind::Invalid => Err(Reported),
             ExprKind::Name(name) => self.name(name, span),
             ExprKind::Unary(op, inner) => self.unary(*op, inner, span),
             ExprKind::Sum(terms) => self.sum(terms),

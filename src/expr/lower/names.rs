@@ -18,13 +18,15 @@ pub(super) const READY: [&str; 4] = ["r", "theta", "rho", "phi"];
 const MAX_CIRCLES: usize = 20;
 
 /// Names that mean one thing everywhere.
-const FIXED: [(&str, &str); 6] = [
+const FIXED: [(&str, &str); 8] = [
     ("x", "a coordinate"),
     ("y", "a coordinate"),
     ("z", "a coordinate"),
     ("e", "Euler's number"),
     ("pi", "the number π"),
     ("π", "the number π"),
+    ("tau", "the number 2π"),
+    ("golden", "the golden ratio"),
 ];
 
 /// A name that the program gives a meaning.
@@ -346,7 +348,7 @@ fn each_name_of_attribute(attribute: &Attribute, look: &mut dyn FnMut(&str)) {
 /// Calls `look` with every name of an expression that is not bound by a series or by `bound`.
 fn each_name<'e>(expr: &'e Expr, bound: &mut Vec<&'e str>, look: &mut dyn FnMut(&str)) {
     match &expr.kind {
-        ExprKind::Number(_) => {}
+        ExprKind::Number(_) | ExprKind::Invalid => {}
         ExprKind::Name(name) => {
             if !bound.contains(&name.as_str()) {
                 look(name);
