@@ -6,7 +6,7 @@
 use crate::film::Size;
 use crate::num::rational::Rational;
 use crate::render::Mode;
-use clap::{Args, CommandFactory, Parser, ValueEnum};
+use clap::{Args, Parser, ValueEnum};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
@@ -370,6 +370,7 @@ pub fn mode(name: &str) -> Result<Mode, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::CommandFactory;
 
     #[test]
     fn the_definitions_of_all_commands_are_consistent() {

@@ -110,7 +110,8 @@ fn check_wishes(args: &RenderArgs) -> Result<Option<Format>, Complaint> {
     }
     let format = args.output.as_deref().map(format_of).transpose()?;
     for path in [&args.depth, &args.normals].into_iter().flatten() {
-        if path.as_os_str() == STDOUT || format_of(path)? != Format::Exr {
+        let is_device = path.starts_with("/dev");
+        if path.as_os_str() == STDOUT || !is_device && format_of(path)? != Format::Exr {
             return Err(Complaint::usage(format!("'{}' must end in .exr", output::shown(path))));
         }
     }

@@ -58,7 +58,6 @@ pub struct Wishes {
 }
 
 /// What is drawn.
-#[derive(Debug)]
 pub struct Plan {
     /// The surfaces with their clips.
     pub surfaces: Vec<Surface>,
