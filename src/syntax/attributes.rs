@@ -1,0 +1,159 @@
+//! The entries of a block: `{ color: #4af, clip: box(-2..2, -2..2, -2..2), name: "ball" }`.
+//!
+//! In: the words from `{` to `}`. Out: keys with their values. Each entry is read by itself, so that a mistake in one
+//! does not hide those in the others.
+
+use super::ast::{Attribute, AttributeValue, Expr, ExprKind, Name};
+use super::reader::{Read, Reader};
+use super::token::{Bracket, Token, TokenKind};
+use crate::diag::{Diagnostic, printable};
+
+impl Reader<'_> {
+    /// The entries between braces; the reader stands at `{`.
+    pub(super) fn attributes(&mut self) -> Read<Vec<Attribute>> {
+        let open = self.take();
+        let entries = self.entries(open)?;
+        let mut attributes: Vec<Attribute> = Vec::new();
+        for entry in entries {
+            let Some(attribute) = self.entry(&entry) else { continue };
+            if let Some(first) = attributes.iter().find(|known| known.key.text == attribute.key.text) {
+                let error = Diagnostic::error(attribute.key.span, format!("`{}` stands twice", attribute.key.text));
+                let error = error.also(first.key.span, "first here");
+                self.error(error);
+            }
+            attributes.push(attribute);
+            if attributes.len() > MAX_ENTRIES {
+                let error = Diagnostic::error(open.span, format!("this block has more than {MAX_ENTRIES} entries"));
+                return Err(self.stop(error));
+            }
+        }
+        Ok(attributes)
+    }
+
+    /// The words of each entry, up to the brace that closes `open`.
+    fn entries(&mut self, open: Token) -> Read<Vec<Vec<Token>>> {
+        let mut entries = vec![Vec::new()];
+        let mut depth = 0usize;
+        loop {
+            let Some(word) = self.raw() else {
+                let end = self.peek();
+                let error = Diagnostic::error(end.span, "missing `}`").label("expected here");
+                return Err(self.stop(error.also(open.span, "this `{` is open")));
+            };
+            self.skip(1);
+            match word.kind {
+                TokenKind::Close(Bracket::Curly) if depth == 0 => break,
+                TokenKind::Comma if depth == 0 => {
+                    entries.push(Vec::new());
+                    continue;
+                }
+                TokenKind::Open(_) => depth += 1,
+                TokenKind::Close(_) => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            if let Some(last) = entries.last_mut() {
+                last.push(word);
+            }
+        }
+        entries.retain(|entry| !entry.is_empty());
+        Ok(entries)
+    }
+
+    fn entry(&mut self, words: &[Token]) -> Option<Attribute> {
+        let mut reader = Reader::new(self.text, words, self.names, self.report);
+        let found = reader.key_and_value();
+        let failed = reader.failed;
+        self.failed |= failed;
+        found.ok()
+    }
+
+    fn key_and_value(&mut self) -> Read<Attribute> {
+        let word = self.raw().unwrap_or_else(|| self.peek());
+        let text = self.written(word.span);
+        self.skip(1);
+        if word.kind != TokenKind::Name || self.raw().is_none_or(|colon| colon.kind != TokenKind::Colon) {
+            let shown = printable(text, 20);
+            let error = Diagnostic::error(word.span, format!("expected `key: value`, found `{shown}`"));
+            return Err(self.stop(error.help("entries look like `color: red`, with commas between them")));
+        }
+        self.skip(1);
+        let key = Name { text: text.to_owned(), span: word.span };
+        let value = self.attribute_value()?;
+        if self.peek().kind == TokenKind::Name && self.second().kind == TokenKind::Colon {
+            let next = self.peek().span;
+            let error = Diagnostic::error(next, format!("expected `,` before `{}`", printable(self.written(next), 20)));
+            return Err(self.stop(error));
+        }
+        self.finish()?;
+        Ok(Attribute { key, value })
+    }
+
+    fn attribute_value(&mut self) -> Read<AttributeValue> {
+        let Some(word) = self.raw() else {
+            let end = self.peek().span;
+            return Err(self.stop(Diagnostic::error(end, "the value is missing")));
+        };
+        let written = self.written(word.span);
+        match word.kind {
+            TokenKind::Color => {
+                self.skip(1);
+                Ok(AttributeValue::Color(super::lexer::color(written).unwrap_or_default(), word.span))
+            }
+            TokenKind::Text => {
+                self.skip(1);
+                Ok(AttributeValue::Text(super::lexer::unquoted(written).to_owned(), word.span))
+            }
+            TokenKind::Number if self.size(word).is_some() => {
+                let (width, height) = self.size(word).unwrap_or_default();
+                let span = word.span.to(self.second().span);
+                self.skip(2);
+                Ok(AttributeValue::Size(width, height, span))
+            }
+            TokenKind::Name if self.ends_after_one() => {
+                self.skip(1);
+                let kind = ExprKind::Name(written.to_owned());
+                Ok(AttributeValue::Expr(Expr { kind, span: word.span }))
+            }
+            TokenKind::Name if written == "box" && self.second().kind == TokenKind::Open(Bracket::Round) => {
+                self.box_of_ranges()
+            }
+            _ => Ok(AttributeValue::Expr(self.expression()?)),
+        }
+    }
+
+    /// Whether the value is one word, such as `red`: that need not be a name of the program.
+    fn ends_after_one(&self) -> bool {
+        self.second().kind == TokenKind::End
+            || self.second().kind == TokenKind::Name && self.third().kind == TokenKind::Colon
+    }
+
+    /// `800x600`, which is a number and a name to the lexer.
+    fn size(&self, word: Token) -> Option<(u32, u32)> {
+        let second = self.second();
+        let height = self.written(second.span).strip_prefix(['x', 'X'])?;
+        let joined = second.kind == TokenKind::Name && word.span.end == second.span.start;
+        let digits = height.bytes().all(|b| b.is_ascii_digit());
+        if joined && digits { Some((self.written(word.span).parse().ok()?, height.parse().ok()?)) } else { None }
+    }
+
+    /// `box(x0..x1, y0..y1, z0..z1)`
+    fn box_of_ranges(&mut self) -> Read<AttributeValue> {
+        let start = self.peek().span;
+        self.skip(1);
+        let open = self.take();
+        let mut ranges = vec![self.range()?];
+        while self.accept(TokenKind::Comma).is_some() {
+            ranges.push(self.range()?);
+        }
+        self.close(open, Bracket::Round)?;
+        let span = self.since(start);
+        if ranges.len() != 3 {
+            let error = Diagnostic::error(span, format!("a box has three ranges, found {}", ranges.len()));
+            return Err(self.stop(error.help("write `box(x0..x1, y0..y1, z0..z1)`")));
+        }
+        Ok(AttributeValue::Box(ranges, span))
+    }
+}
+
+/// Blocks have a dozen keys; more entries than this are no block.
+const MAX_ENTRIES: usize = 100;
