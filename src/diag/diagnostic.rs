@@ -32,3 +32,55 @@ pub struct Diagnostic {
     /// The way out, if there is one: a corrected line or "did you mean".
     pub help: Option<String>,
 }
+
+impl Diagnostic {
+    /// An error at a place; the words beside the carets and the way out may follow.
+    ///
+    /// ```
+    /// use implicit::diag::{Diagnostic, Span};
+    /// let error = Diagnostic::error(Span::default(), "unknown name `a`").label("not defined").help("write x");
+    /// assert_eq!(error.labels[0].text, "not defined");
+    /// ```
+    pub fn error(span: Span, message: impl Into<String>) -> Self {
+        Self::new(Severity::Error, span, message.into())
+    }
+
+    /// A note at a place: how something was read.
+    pub fn note(span: Span, message: impl Into<String>) -> Self {
+        Self::new(Severity::Note, span, message.into())
+    }
+
+    fn new(severity: Severity, span: Span, message: String) -> Self {
+        Diagnostic { severity, message, labels: vec![Label { span, text: String::new() }], help: None }
+    }
+
+    /// The same with words beside the carets of the main place.
+    pub fn label(mut self, text: impl Into<String>) -> Self {
+        if let Some(first) = self.labels.first_mut() {
+            first.text = text.into();
+        }
+        self
+    }
+
+    /// The same with one more place.
+    pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.labels.push(Label { span, text: text.into() });
+        self
+    }
+
+    /// The same with a way out.
+    pub fn help(mut self, text: impl Into<String>) -> Self {
+        self.help = Some(text.into());
+        self
+    }
+
+    /// Whether it is an error.
+    pub fn is_error(&self) -> bool {
+        self.severity == Severity::Error
+    }
+
+    /// The main place.
+    pub fn span(&self) -> Span {
+        self.labels.first().map(|label| label.span).unwrap_or_default()
+    }
+}

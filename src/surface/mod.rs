@@ -4,6 +4,8 @@
 //! the first root inside the region ([`Hit`]), and whether that is proven. Nothing here knows a pixel or a
 //! colour: this is mathematics, and a library of its own.
 //!
+//! - [`tracer`]: the one door: rays in, hits out, by either method.
+//! - [`sheet`]: a formula made ready: the sheets of its zero set and their kernels.
 //! - [`hit`]: what is known about a ray.
 //! - [`region`]: the clip, and the part of a ray inside it.
 //! - [`march`]: the textbook method: steps, a change of sign, Newton.
@@ -11,8 +13,16 @@
 //! - [`refine`]: Newton's method inside a bracket, and the certificate of its result.
 //! - [`careful`]: one hard ray at a time: roots without sign change, poles, jumps, edges of the domain.
 
+mod careful;
 pub mod hit;
+mod isolate;
+mod march;
+mod refine;
 pub mod region;
+pub mod sheet;
+pub mod tracer;
 
 pub use hit::{Counts, Hit, Outcome, Ray};
 pub use region::{Clip, Shape};
+pub use sheet::{Kind, Surface};
+pub use tracer::{Method, Tracer};

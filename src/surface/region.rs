@@ -73,13 +73,18 @@ impl Clip {
 
     /// The distances between which the ray is inside all shapes; `None` if it never is.
     pub fn span(&self, ray: &Ray) -> Option<(f64, f64)> {
-        let (mut t0, mut t1) = (0.0f64, f64::INFINITY);
-        for shape in &self.shapes {
-            let (a, b) = shape.span(ray)?;
-            (t0, t1) = (t0.max(a), t1.min(b));
-        }
-        (t0 <= t1).then_some((t0, t1))
+        span(&self.shapes, ray)
     }
+}
+
+/// The distances between which the ray is inside all shapes; `None` if it never is.
+pub(crate) fn span(shapes: &[Shape], ray: &Ray) -> Option<(f64, f64)> {
+    let (mut t0, mut t1) = (0.0f64, f64::INFINITY);
+    for shape in shapes {
+        let (a, b) = shape.span(ray)?;
+        (t0, t1) = (t0.max(a), t1.min(b));
+    }
+    (t0 <= t1).then_some((t0, t1))
 }
 
 /// The slab method (Kay and Kajiya 1986).

@@ -1,7 +1,8 @@
 //! The tree of a program: what was written, with nothing left to guess.
 //!
 //! In: nothing, it is plain data. Out: statements and expressions in which juxtaposition, bars, split names
-//! and function application without brackets have become products and calls. Names are not looked up yet.
+//! and function application without brackets have become products and calls. Sums and products are flat
+//! lists, so that a long line makes a wide tree and never a deep one: a tree is no deeper than the nest limit.
 
 use crate::diag::Span;
 use crate::num::rational::Rational;
@@ -34,7 +35,7 @@ pub enum StatementKind {
         /// The block behind it.
         attributes: Vec<Attribute>,
     },
-    /// `name = value`, where the name is no coordinate. Whether `r = 1` is a surface is decided with the names.
+    /// `name = value`, where the name is no coordinate. `r = 1` is a definition only if another statement uses `r`.
     Definition {
         /// The name.
         name: Name,
@@ -149,8 +150,16 @@ pub enum ExprKind {
     Name(String),
     /// `-a`, `not a`, `+a`.
     Unary(UnaryOp, Box<Expr>),
-    /// `a + b` and the like; an implicit product is a [`BinaryOp::Mul`].
-    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// `a + b - c`, from the left: two terms or more, of which the first is added.
+    Sum(Vec<Term>),
+    /// `a * b / c % d`, from the left: two factors or more, of which the first multiplies.
+    Product(Vec<Factor>),
+    /// `a ^ b`, `a ** b` or a raised digit.
+    Power(Box<Expr>, Box<Expr>),
+    /// `a and b and c`: two or more.
+    And(Vec<Expr>),
+    /// `a or b or c`: two or more.
+    Or(Vec<Expr>),
     /// `a <= b < c`: the operands and the comparisons between them, all in one direction.
     Chain(Vec<Expr>, Vec<Comparison>),
     /// `|a|`: absolute value, or length of a vector.
@@ -174,6 +183,8 @@ pub enum ExprKind {
         /// The term.
         body: Box<Expr>,
     },
+    /// What could not be read; an error has been reported, and whatever uses it should stay silent.
+    Invalid,
 }
 
 /// What the running name of a sum takes as values.
@@ -196,25 +207,33 @@ pub enum UnaryOp {
     Not,
 }
 
-/// Operators between.
+/// A member of a sum.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Term {
+    /// Whether it is taken away.
+    pub minus: bool,
+    /// What.
+    pub value: Expr,
+}
+
+/// A member of a product.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Factor {
+    /// What is done with it to the product of those before.
+    pub operator: FactorOp,
+    /// What.
+    pub value: Expr,
+}
+
+/// How a factor joins those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BinaryOp {
-    /// `+`
-    Add,
-    /// `-`
-    Sub,
+pub enum FactorOp {
     /// `*`, `×`, `·` or nothing
     Mul,
     /// `/`, `÷`
     Div,
     /// `%`
     Mod,
-    /// `^`, `**` or a raised digit
-    Pow,
-    /// `and`
-    And,
-    /// `or`
-    Or,
 }
 
 /// Comparisons.
