@@ -15,6 +15,7 @@ pub mod exponential;
 pub mod hyperbolic;
 pub mod inverse;
 pub mod logarithm;
+pub mod native;
 pub mod power;
 pub mod trigonometric;
 

@@ -144,32 +144,10 @@ impl<const N: usize> Number for Lanes<N> {
         }
     }
 
-    /// The same steps as [`func::power`], each for all lanes.
     #[inline(always)]
     fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
-        let (mut square, mut square_low) = (a.0, [0.0; N]);
-        if n < 0 {
-            for i in 0..N {
-                (square[i], square_low[i]) = power::reciprocal::<L>(a.0[i]);
-            }
-        }
-        let mut rest = n.unsigned_abs();
-        while rest & 1 == 0 && rest > 0 {
-            square_all::<L, N>(&mut square, &mut square_low);
-            rest >>= 1;
-        }
-        let (mut value, mut value_low) = (square, square_low);
-        rest >>= 1;
-        while rest > 0 {
-            square_all::<L, N>(&mut square, &mut square_low);
-            if rest & 1 == 1 {
-                for i in 0..N {
-                    (value[i], value_low[i]) = power::times::<L>((value[i], value_low[i]), (square[i], square_low[i]));
-                }
-            }
-            rest >>= 1;
-        }
-        out.0 = value;
+        out.0 = a.0;
+        power_all::<L, N>(&mut out.0, n);
     }
 
     #[inline(always)]
@@ -193,4 +171,32 @@ fn square_all<L: Level, const N: usize>(high: &mut [f64; N], low: &mut [f64; N])
         let a = (high[i], low[i]);
         (high[i], low[i]) = power::times::<L>(a, a);
     }
+}
+
+/// x^n in every lane: the same steps as [`func::power`], each for all lanes.
+#[inline(always)]
+pub(super) fn power_all<L: Level, const N: usize>(x: &mut [f64; N], n: i64) {
+    let (mut square, mut square_low) = (*x, [0.0; N]);
+    if n < 0 {
+        for i in 0..N {
+            (square[i], square_low[i]) = power::reciprocal::<L>(x[i]);
+        }
+    }
+    let mut rest = n.unsigned_abs();
+    while rest & 1 == 0 && rest > 0 {
+        square_all::<L, N>(&mut square, &mut square_low);
+        rest >>= 1;
+    }
+    let (mut value, mut value_low) = (square, square_low);
+    rest >>= 1;
+    while rest > 0 {
+        square_all::<L, N>(&mut square, &mut square_low);
+        if rest & 1 == 1 {
+            for i in 0..N {
+                (value[i], value_low[i]) = power::times::<L>((value[i], value_low[i]), (square[i], square_low[i]));
+            }
+        }
+        rest >>= 1;
+    }
+    *x = value;
 }

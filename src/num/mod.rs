@@ -19,3 +19,5 @@ pub mod lanes;
 pub mod level;
 pub mod number;
 pub mod rational;
+#[cfg(test)]
+mod speed;
