@@ -33,33 +33,33 @@ use super::level::Level;
 /// at least a tenth of an ulp.
 pub mod bound {
     /// sin, cos.
-    pub const SIN: f64 = 1.0;
+    pub const SIN: f64 = 0.9;
     /// tan.
-    pub const TAN: f64 = 2.5;
+    pub const TAN: f64 = 2.0;
     /// e^a.
-    pub const EXP: f64 = 1.0;
+    pub const EXP: f64 = 0.7;
     /// All three logarithms.
-    pub const LN: f64 = 1.0;
+    pub const LN: f64 = 0.6;
     /// arctan and the angle of a point.
-    pub const ATAN: f64 = 1.0;
+    pub const ATAN: f64 = 0.8;
     /// arcsin.
-    pub const ASIN: f64 = 1.0;
+    pub const ASIN: f64 = 0.75;
     /// arccos.
-    pub const ACOS: f64 = 1.0;
+    pub const ACOS: f64 = 0.7;
     /// sinh.
-    pub const SINH: f64 = 2.0;
+    pub const SINH: f64 = 0.9;
     /// cosh.
-    pub const COSH: f64 = 2.0;
+    pub const COSH: f64 = 0.9;
     /// tanh.
-    pub const TANH: f64 = 3.0;
+    pub const TANH: f64 = 0.9;
     /// arsinh, arcosh, artanh.
-    pub const ASINH: f64 = 1.5;
+    pub const ASINH: f64 = 0.6;
     /// The error function.
-    pub const ERF: f64 = 1.0;
+    pub const ERF: f64 = 0.95;
     /// a^b and odd roots.
-    pub const POW: f64 = 1.0;
+    pub const POW: f64 = 0.7;
     /// a^n for |n| ≤ 2^40.
-    pub const POWER: f64 = 1.0;
+    pub const POWER: f64 = 0.6;
 }
 
 /// 1.5·2^52: adding it to |x| < 2^51 leaves the nearest whole number, two's complement, in the low bits.

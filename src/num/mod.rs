@@ -21,3 +21,7 @@ pub mod number;
 pub mod rational;
 #[cfg(test)]
 mod speed;
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+mod trial;
