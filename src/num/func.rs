@@ -33,9 +33,9 @@ use super::level::Level;
 /// at least a tenth of an ulp.
 pub mod bound {
     /// sin, cos.
-    pub const SIN: f64 = 0.9;
+    pub const SIN: f64 = 0.8;
     /// tan.
-    pub const TAN: f64 = 2.0;
+    pub const TAN: f64 = 0.9;
     /// e^a.
     pub const EXP: f64 = 0.7;
     /// All three logarithms.
@@ -60,6 +60,17 @@ pub mod bound {
     pub const POW: f64 = 0.7;
     /// a^n for |n| ≤ 2^40.
     pub const POWER: f64 = 0.6;
+
+    /// How many f64 outward of a computed end lie both the exact value there and whatever is computed at other
+    /// points of a box. Computed points miss their exact values by E ulp as well, so that 2·E must be covered; both
+    /// being f64, for E < 3/4 that is one step even where the ulp halves between them.
+    pub const fn steps(ulps: f64) -> u32 {
+        let mut steps = 1;
+        while ulps >= 0.75 && (steps as f64) < 2.0 * ulps {
+            steps += 1;
+        }
+        steps
+    }
 }
 
 /// 1.5·2^52: adding it to |x| < 2^51 leaves the nearest whole number, two's complement, in the low bits.

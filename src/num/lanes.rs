@@ -29,10 +29,10 @@ impl<const N: usize> Default for Lanes<N> {
 /// Repairs the lanes whose angle is too large for the straight reduction.
 #[cold]
 #[inline(never)]
-fn patch_large<const N: usize>(a: &[f64; N], out: &mut [f64; N], f: fn((f64, f64)) -> f64) {
+fn patch_large<const N: usize>(a: &[f64; N], out: &mut [f64; N], f: fn(f64) -> f64) {
     for i in 0..N {
         if a[i].abs() > REDUCIBLE {
-            out[i] = f(trigonometric::sin_cos_of_large(a[i]));
+            out[i] = f(a[i]);
         }
     }
 }
@@ -109,7 +109,7 @@ impl<const N: usize> Number for Lanes<N> {
             out.0[i] = trigonometric::sin_reducible::<L>(a.0[i]);
         }
         if any_large(&a.0) {
-            patch_large(&a.0, &mut out.0, |(s, _)| s);
+            patch_large(&a.0, &mut out.0, |a| trigonometric::sin_cos_of_large(a).0);
         }
     }
 
@@ -119,7 +119,7 @@ impl<const N: usize> Number for Lanes<N> {
             out.0[i] = trigonometric::cos_reducible::<L>(a.0[i]);
         }
         if any_large(&a.0) {
-            patch_large(&a.0, &mut out.0, |(_, c)| c);
+            patch_large(&a.0, &mut out.0, |a| trigonometric::sin_cos_of_large(a).1);
         }
     }
 
@@ -129,8 +129,8 @@ impl<const N: usize> Number for Lanes<N> {
             (sin.0[i], cos.0[i]) = trigonometric::sin_cos_reducible::<L>(a.0[i]);
         }
         if any_large(&a.0) {
-            patch_large(&a.0, &mut sin.0, |(s, _)| s);
-            patch_large(&a.0, &mut cos.0, |(_, c)| c);
+            patch_large(&a.0, &mut sin.0, |a| trigonometric::sin_cos_of_large(a).0);
+            patch_large(&a.0, &mut cos.0, |a| trigonometric::sin_cos_of_large(a).1);
         }
     }
 
@@ -140,7 +140,7 @@ impl<const N: usize> Number for Lanes<N> {
             out.0[i] = trigonometric::tan_reducible::<L>(a.0[i]);
         }
         if any_large(&a.0) {
-            patch_large(&a.0, &mut out.0, |(s, c)| s / c);
+            patch_large(&a.0, &mut out.0, trigonometric::tan_of_large);
         }
     }
 

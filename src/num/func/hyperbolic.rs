@@ -16,13 +16,17 @@ const SMALL: f64 = 1e-4;
 /// Above, a² would overflow and 2·a is a ± √(a² ± 1) to the last place.
 const LARGE: f64 = 1e150;
 
+/// From here on tanh is 1 to the last place.
+const SATURATED: f64 = 40.0;
+
 /// hyperbolic sine
 #[inline(always)]
 pub fn sinh<L: Level>(a: f64) -> f64 {
     let x = a.abs();
     let (half, low) = exp_sum::<L>(x, -1.0);
-    let (s, e) = fast_two_sum(half, -0.25 / half);
-    let far = s + (e + low);
+    let (q, q_low) = quarter_over::<L>(half, low);
+    let (s, e) = fast_two_sum(half, -q);
+    let far = s + (e + (low - q_low));
     let far = if half < f64::INFINITY { far } else { half };
     let (near, rest) = sinh_near::<L>(x);
     if x < 1.0 { near + rest } else { far }.copysign(a)
@@ -32,8 +36,9 @@ pub fn sinh<L: Level>(a: f64) -> f64 {
 #[inline(always)]
 pub fn cosh<L: Level>(a: f64) -> f64 {
     let (half, low) = exp_sum::<L>(a.abs(), -1.0);
-    let (s, e) = fast_two_sum(half, 0.25 / half);
-    let value = s + (e + low);
+    let (q, q_low) = quarter_over::<L>(half, low);
+    let (s, e) = fast_two_sum(half, q);
+    let value = s + (e + (low + q_low));
     if half < f64::INFINITY { value } else { half }
 }
 
@@ -41,14 +46,24 @@ pub fn cosh<L: Level>(a: f64) -> f64 {
 #[inline(always)]
 pub fn tanh<L: Level>(a: f64) -> f64 {
     let x = a.abs();
+    let x = if x > SATURATED { SATURATED } else { x };
     let (half, low) = exp_sum::<L>(x, -1.0);
-    let (c, c_low) = fast_two_sum(half, 0.25 / half);
-    let (s, s_low) = sinh_near::<L>(x);
+    let (q, q_low) = quarter_over::<L>(half, low);
+    let (c, c_low) = fast_two_sum(half, q);
+    let (far, far_low) = fast_two_sum(half, -q);
+    let (near, near_low) = sinh_near::<L>(x);
+    let s = if x < 1.0 { near } else { far };
+    let s_low = if x < 1.0 { near_low } else { far_low + (low - q_low) };
     let t = s / c;
-    let near = t + (L::fma(-t, c, s) + (s_low - t * (c_low + low))) / c;
-    let far = 1.0 - 2.0 / L::fma(4.0 * half, half, 1.0);
-    let value = if x < 1.0 { near } else { far };
+    let value = t + (L::fma(-t, c, s) + (s_low - t * (c_low + (low + q_low)))) / c;
     value.copysign(a)
+}
+
+/// 1/(4·(half + low)) as a sum of two.
+#[inline(always)]
+fn quarter_over<L: Level>(half: f64, low: f64) -> (f64, f64) {
+    let q = 0.25 / half;
+    (q, (L::fma(-q, half, 0.25) - q * low) * (4.0 * q))
 }
 
 /// sinh x for 0 ≤ x ≤ 1, as a sum of two.

@@ -3,8 +3,9 @@
 //! In: arrays of bounds. Out: arrays of bounds, each the function's value pushed outward by its error bound and cut
 //! by its range; lanes out of the ordinary by `interval`. Separate because these loops must stay free of branches.
 
-use super::arithmetic::{Mask, any, greater, lesser, mark, repair, repair_pairs, word};
+use super::arithmetic::{Mask, any, down, greater, lesser, mark, repair, repair_pairs, word};
 use super::{IntervalLanes, JUMP, PARTIAL};
+use crate::num::func::bound::steps;
 use crate::num::func::trigonometric::{self, REDUCIBLE};
 use crate::num::func::{self, bound};
 use crate::num::interval::{Enclosure, TURN_ERROR};
@@ -14,17 +15,29 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 /// A few of the smallest f64: what rounding below the normal range may lose, doubled.
 const SUBNORMAL: f64 = 8e-323;
 
-/// A lower bound for a result computed within `ulps`, and for all points computed as well; 0 is exact.
+/// A lower bound of a result computed within `ulps`, as in `interval`; 0 is exact.
 #[inline(always)]
 fn below<L: Level>(r: f64, ulps: f64) -> f64 {
-    let pushed = L::fma(-2.0 * ulps * f64::EPSILON, r.abs(), r) - SUBNORMAL;
+    let mut pushed = r;
+    let mut step = 0;
+    while step < steps(ulps) {
+        pushed = down::<L>(pushed);
+        step += 1;
+    }
+    let pushed = pushed - SUBNORMAL;
     if r == 0.0 { r } else { pushed }
 }
 
 #[inline(always)]
 fn above<L: Level>(r: f64, ulps: f64) -> f64 {
-    let pushed = L::fma(2.0 * ulps * f64::EPSILON, r.abs(), r) + SUBNORMAL;
-    if r == 0.0 { r } else { pushed }
+    -below::<L>(-r, ulps)
+}
+
+/// As [`above`] for r ≥ 0 that is 0 because it is too small.
+#[inline(always)]
+fn above_vanishing<L: Level>(r: f64, ulps: f64) -> f64 {
+    let pushed = above::<L>(r, ulps);
+    if r == 0.0 { SUBNORMAL } else { pushed }
 }
 
 /// A function that rises everywhere, 0 only where it is exactly 0, cut to its range.
@@ -95,7 +108,7 @@ pub(super) fn exp<L: Level, const N: usize>(a: &IntervalLanes<N>, out: &mut Inte
     for i in 0..N {
         let (lo, hi) = (func::exp::<L>(a.lo[i]), func::exp::<L>(a.hi[i]));
         out.lo[i] = greater(below::<L>(lo, bound::EXP), 0.0);
-        out.hi[i] = L::fma(2.0 * bound::EXP * f64::EPSILON, hi, hi) + SUBNORMAL;
+        out.hi[i] = above_vanishing::<L>(hi, bound::EXP);
         odd[i] = word(!((lo < f64::INFINITY) & (hi < f64::INFINITY)));
     }
     out.flags = a.flags;
@@ -242,7 +255,7 @@ pub(super) fn pow<L: Level, const N: usize>(a: &IntervalLanes<N>, b: &IntervalLa
         let least = lesser(lesser(p, q), lesser(r, s));
         let most = greater(greater(p, q), greater(r, s));
         out.lo[i] = greater(below::<L>(least, bound::POW), 0.0);
-        out.hi[i] = L::fma(2.0 * bound::POW * f64::EPSILON, most, most) + SUBNORMAL;
+        out.hi[i] = above_vanishing::<L>(most, bound::POW);
         odd[i] = word(!((al > 0.0) & (((p + q) + (r + s)) < f64::INFINITY)));
     }
     super::arithmetic::join(&a.flags, &b.flags, &mut out.flags);
