@@ -300,21 +300,40 @@ impl<'a> Lowerer<'a> {
         if self.names.list[index].poisoned {
             return super::values::reported();
         }
+        self.called[index] = true;
         let key = (index, values);
         if let Some(known) = self.calls.get(&key) {
             return known.clone();
         }
         self.enter(span, limits::CALL_WEIGHT)?;
-        let frame = std::mem::replace(&mut self.frame, self.scope.len());
-        self.scope.extend(parameters.iter().map(|name| name.text.as_str()).zip(key.1.iter().cloned()));
         let before = self.diagnostics.len();
-        let value = self.expr(body);
-        self.scope.truncate(self.frame);
-        self.frame = frame;
+        let arguments: Vec<Reporting<Value>> = key.1.iter().cloned().map(Ok).collect();
+        let value = self.body(parameters, arguments, body);
         self.leave(limits::CALL_WEIGHT);
         self.mark_call(before, span);
         self.calls.insert(key, value.clone());
         value
+    }
+
+    /// The body with its parameters bound, and with no other bound name.
+    fn body(&mut self, parameters: &'a [Name], values: Vec<Reporting<Value>>, body: &'a Expr) -> Reporting<Value> {
+        let frame = std::mem::replace(&mut self.frame, self.scope.len());
+        self.scope.extend(parameters.iter().map(|name| name.text.as_str()).zip(values));
+        let value = self.expr(body);
+        self.scope.truncate(self.frame);
+        self.frame = frame;
+        value
+    }
+
+    /// Looks for errors in functions that nothing calls: those that do not hang on what the arguments are.
+    pub(super) fn check_uncalled(&mut self) {
+        for index in 0..self.names.list.len() {
+            let Some((parameters, body)) = self.names.list[index].as_function() else { continue };
+            if !self.called[index] && !self.names.list[index].poisoned {
+                // The value is not wanted, only what is reported on the way to it.
+                let _ = self.body(parameters, vec![super::values::reported(); parameters.len()], body);
+            }
+        }
     }
 
     /// Says in errors that arose inside a function's body which call brought them up.

@@ -291,7 +291,7 @@ fn ready_names_alone(program: &Program, diagnostics: &mut Vec<Diagnostic>) -> Ve
 }
 
 fn reading_note(name: &str, surface: bool, span: Span) -> Diagnostic {
-    let meaning = super::ready_meaning(name);
+    let meaning = super::meanings::ready_meaning(name);
     if surface {
         let message = format!("read as the surface `{meaning} = ...`, because no other statement uses `{name}`");
         Diagnostic::note(span, message).help("take another name for a definition")

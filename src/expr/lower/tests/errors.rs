@@ -161,6 +161,8 @@ fn independent_errors_are_all_reported_and_nothing_twice() {
         ("f(u) = u + (u < 0); f(x) = 1; f(y) = 2", 1),
         ("x = 1 { colour: 1, nme: 2 }; camera { fv: 3 }", 3),
         ("sum(k = 1..1000, p^2)", 1),
+        ("f(u) = u + sin(1, 2) + (x < 0); x = 1", 2),
+        ("f(u) = u + |u| + u.x; x = 1", 0),
     ];
     for (text, count) in rows {
         let lowered = lowered(text);
