@@ -44,13 +44,13 @@ impl Lowerer<'_> {
                 let sum = self.node(Op::Add, &[one, root], span);
                 Ok(Value::Number(self.node(Op::Div, &[sum, two], span)))
             }
-            "r" | "theta" | "rho" | "phi" | "p" => Ok(self.ready(name, span)),
+            _ if ready_meaning(name).is_some() => Ok(self.ready(name, span)),
             _ => Err(self.unknown_name(name, span)),
         }
     }
 
     /// The cylinder's and the sphere's coordinates, and the point itself.
-    pub(super) fn ready(&mut self, name: &str, span: Span) -> Value {
+    fn ready(&mut self, name: &str, span: Span) -> Value {
         let [x, y, z] = self.coordinates(span);
         Value::Number(match name {
             "r" => self.length(&[x, y], span),
@@ -100,13 +100,14 @@ impl Lowerer<'_> {
     }
 }
 
-/// What a ready-made name means, as text.
-pub(super) fn ready_meaning(name: &str) -> &'static str {
-    match name {
+/// What a name that is ready for use means, as text.
+pub(super) fn ready_meaning(name: &str) -> Option<&'static str> {
+    Some(match name {
         "r" => "sqrt(x^2 + y^2)",
         "theta" => "atan2(y, x)",
         "rho" => "sqrt(x^2 + y^2 + z^2)",
         "phi" => "acos(z/sqrt(x^2 + y^2 + z^2))",
-        _ => "(x, y, z)",
-    }
+        "p" => "(x, y, z)",
+        _ => return None,
+    })
 }
