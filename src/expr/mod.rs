@@ -15,10 +15,15 @@
 //! - [`print`]: text that reads back as the same graph, and LaTeX.
 
 pub mod derivative;
+pub mod equation;
 #[cfg(test)]
 mod estimate;
+#[cfg(test)]
+mod formula;
 pub mod graph;
 pub mod lower;
 pub mod op;
+pub mod polynomial;
+pub mod print;
 pub mod signs;
 pub mod simplify;

@@ -8,7 +8,7 @@ use super::region::{self, Clip, Shape};
 use crate::closure::pieces::Pieces;
 use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::{derivative, gradient};
-use crate::expr::equation;
+use crate::expr::equation::{self, Sign};
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::Variable;
 use crate::num::interval_lanes::IntervalLanes;
@@ -95,7 +95,7 @@ impl Surface {
     pub fn new(graph: &mut Graph, f: NodeId, kind: Kind, clip: &Clip, simd: Simd) -> Surface {
         let parts = match kind {
             Kind::Equation => equation::sheets(graph, f).sheets,
-            Kind::Solid => vec![equation::Sheet::whole(f)],
+            Kind::Solid => vec![equation::Sheet { g: f, guards: Vec::new(), nonzero: Vec::new(), sign: Sign::Same }],
         };
         let sheets = parts.iter().map(|part| sheet(graph, part, &clip.fields, simd)).collect();
         let written = written(graph, f, simd);

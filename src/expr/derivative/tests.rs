@@ -1,5 +1,6 @@
 use super::{along_ray, derivative, gradient};
 use crate::expr::estimate::{Estimate, Random, estimates, plain};
+use crate::expr::formula::formula;
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::{Op, Variable};
 
@@ -195,4 +196,29 @@ fn an_enormous_power_is_harmless() {
     assert_eq!(graph.op(graph.args(slope)[1]), Op::Power(999_999_999));
     let least = graph.apply(Op::Power(i64::MIN), &[x]);
     derivative(&mut graph, &[least], [one, zero, zero]);
+}
+
+#[test]
+fn values_and_gradients_agree_with_fifty_digits() {
+    let (mut rows, mut unsure) = (0, 0);
+    for line in include_str!("../../../tests/data/derivatives.tsv").lines() {
+        let columns: Vec<&str> = line.split('\t').collect();
+        let numbers = |i: usize| columns[i].split(' ').map(|n| n.parse::<f64>().unwrap()).collect::<Vec<f64>>();
+        let (point, value, slopes) = (numbers(1), numbers(2), numbers(3));
+        let mut graph = Graph::new();
+        let f = formula(&mut graph, columns[0]);
+        let [a, b, c] = gradient(&mut graph, f);
+        let found = estimates(&graph, &[f, a, b, c], [point[0], point[1], point[2]], [0.0; 3]);
+        for (estimate, exact) in found.into_iter().zip(value.into_iter().chain(slopes)) {
+            rows += 1;
+            match estimate {
+                Estimate::Value(v, e) => {
+                    assert!((v - exact).abs() <= e + 1e-14 * exact.abs(), "{line}: {v} ± {e}, exactly {exact}")
+                }
+                Estimate::Nothing => panic!("{line}: no value"),
+                Estimate::Unsure => unsure += 1,
+            }
+        }
+    }
+    assert!(rows == 2400 && unsure < 60, "{rows} numbers, {unsure} of them unsure");
 }

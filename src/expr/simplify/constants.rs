@@ -124,8 +124,9 @@ pub(super) fn power(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<NodeId
         return Some(graph.apply(Op::Exp, &[b]));
     }
     let exponent = graph.constant(b)?.clone();
-    if exponent == Rational::from_fraction(1, 2)? {
-        return Some(graph.apply(Op::Sqrt, &[a]));
+    if let Some((n, 2)) = exponent.to_fraction() {
+        let root = graph.apply(Op::Sqrt, &[a]);
+        return Some(graph.apply(Op::Power(n), &[root]));
     }
     if let Some(n) = exponent.to_i64()
         && (graph.is_positive(a) || n > 0 && graph.is_nonnegative(a))

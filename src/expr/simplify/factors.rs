@@ -61,7 +61,7 @@ pub(super) fn constant_divisor(graph: &mut Graph, op: Op, args: &[NodeId]) -> Op
 
 pub(super) fn constants_of_quotient(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<NodeId> {
     let (Op::Div, &[a, b]) = (op, args) else { return None };
-    if graph.constant(b).is_some() {
+    if graph.constant(b).is_some_and(|c| !c.is_zero()) {
         return None;
     }
     if graph.constant(a).is_some_and(Rational::is_zero) && graph.is_total(b) && graph.is_nonzero(b) {

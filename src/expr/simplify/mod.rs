@@ -41,7 +41,11 @@ pub static RULES: [Rule; 33] = [
     rule("exact arithmetic", "2 + 3*4 = 14, sqrt(9/4) = 3/2, in fractions", constants::arithmetic),
     rule("exact function value", "sin(0) = 0, exp(0) = 1, ln(e) = 1, log2(8) = 3, ...", constants::function_value),
     rule("angle", "sin and cos of pi/6, pi/2, ... and tan of pi/4, ... where they are rational", constants::angle),
-    rule("powers of constants", "pow(9, 1/2) = 3; pow(u, 1/2) = sqrt(u); pow(e, u) = exp(u)", constants::power),
+    rule(
+        "powers of constants",
+        "8^0.5 = sqrt(8), u^1.5 = sqrt(u)^3, 0.008^(1/3) = 0.2, e^u = exp(u)",
+        constants::power,
+    ),
     rule("double negation", "-(-u) = u, -(a - b) = b - a, -(2*u) = -2*u", terms::negation),
     rule("constants together", "(u + 1) + 2 = u + 3, u - 1 = u + (-1), u + 0 = u", terms::constants_of_sum),
     rule("like terms", "2*u + 3*u = 5*u, u - u = 0 where u is defined", terms::like_terms),
