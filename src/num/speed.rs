@@ -4,6 +4,8 @@
 //! same function one number at a time. Separate because it is compiled for tests alone and looks at the clock.
 //! The whole table: `cargo test --lib num::speed -- --ignored --nocapture`.
 
+#![allow(clippy::print_stdout)]
+
 use super::func::native;
 use super::interval::{Enclosure, Interval};
 use super::interval_lanes::IntervalLanes;
