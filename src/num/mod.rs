@@ -11,10 +11,10 @@
 //! - [`interval_lanes`]: a fixed-size array of those.
 //! - [`rational`]: exact fractions, and the f64 and the interval nearest to one.
 
-pub mod func;
 // Comparisons are negated where NaN has to fall to the side that decides nothing.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
+pub mod func;
 pub mod fused;
 pub mod interval;
 pub mod interval_lanes;
