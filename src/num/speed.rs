@@ -44,7 +44,7 @@ fn time_cells(run: Runner<IntervalLanes<16>>) -> f64 {
         a.set(i, Enclosure::total(Interval::new(number(i), number(i + 3))));
         b.set(i, Enclosure::total(Interval::new(number(20 - i), number(22 - i))));
     }
-    let mut out = a.clone();
+    let mut out = a;
     nanoseconds(|repeat| run(Simd::best(), repeat, &a, &b, &mut out))
 }
 
