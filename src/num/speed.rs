@@ -64,8 +64,8 @@ fn batches_are_vectorised() {
     if Simd::best() == Simd::Portable {
         return;
     }
-    let scalars: [(&str, fn(f64) -> f64); 4] =
-        [("sin", native::sin), ("exp", native::exp), ("atan", native::atan), ("ln", native::ln)];
+    type Scalar = (&'static str, fn(f64) -> f64);
+    let scalars: [Scalar; 4] = [("sin", native::sin), ("exp", native::exp), ("atan", native::atan), ("ln", native::ln)];
     for (name, f) in scalars {
         let Some(trial) = trials().into_iter().find(|trial| trial.name == name) else { panic!("no {name}") };
         let mut sum = 0.0;
