@@ -1,7 +1,7 @@
 //! Which instructions the machine has, and the one macro that compiles a function for each level.
 //!
 //! A function is written once, generic over [`Level`], and stamped out per level by
-//! [`for_each_level!`]; which stamp runs is decided once at run time. The results are the same bits in
+//! `for_each_level!`; which stamp runs is decided once at run time. The results are the same bits in
 //! every level: the order of evaluation is the same, and a·b + c is rounded once in all of them.
 
 /// A set of instructions that a function is compiled for.
@@ -14,7 +14,7 @@ pub trait Level: Copy + Send + Sync + 'static {
 #[derive(Clone, Copy, Debug)]
 pub struct Portable;
 
-/// AVX2 and FMA. Only functions stamped by [`for_each_level!`] may use it.
+/// AVX2 and FMA. Only functions stamped by `for_each_level!` may use it.
 #[derive(Clone, Copy, Debug)]
 pub struct Fused;
 
