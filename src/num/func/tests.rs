@@ -1,3 +1,5 @@
+//! Tests: elementary functions against correctly rounded ones, within their stated bounds.
+
 use super::*;
 use crate::num::level::Portable;
 
