@@ -1,4 +1,5 @@
 //! Type an equation and see its surface, exactly.
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests compare with the functions of std"))]
 
 pub mod cli;
 pub mod closure;

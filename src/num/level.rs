@@ -36,6 +36,7 @@ impl Level for Portable {
     #[inline(always)]
     fn fma(a: f64, b: f64, c: f64) -> f64 {
         #[cfg(any(target_arch = "aarch64", target_feature = "fma"))]
+        #[allow(clippy::disallowed_methods, reason = "the target has the instruction")]
         return a.mul_add(b, c);
         #[cfg(not(any(target_arch = "aarch64", target_feature = "fma")))]
         super::fused::mul_add(a, b, c)
@@ -44,6 +45,7 @@ impl Level for Portable {
 
 impl Level for Fused {
     #[inline(always)]
+    #[allow(clippy::disallowed_methods, reason = "compiled with the instruction")]
     fn fma(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
     }

@@ -7,3 +7,5 @@
 mod npy;
 mod tidy;
 mod tidy_scan;
+mod truth;
+mod truth_case;

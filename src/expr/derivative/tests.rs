@@ -1,3 +1,5 @@
+//! Tests: symbolic derivatives against dual numbers and a table of 50-digit values.
+
 #![allow(clippy::disallowed_methods, reason = "judged by the standard library")]
 
 use super::{along_ray, derivative, gradient};

@@ -1,3 +1,5 @@
+//! Tests: what equations are rewritten to, and that their roots stay.
+
 use super::{Sheet, Sign, sheets};
 use crate::expr::estimate::{Estimate, Random, estimates};
 use crate::expr::formula::formula;

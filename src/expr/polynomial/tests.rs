@@ -1,3 +1,5 @@
+//! Tests: exact polynomials: arithmetic, division, square-free parts.
+
 use super::Polynomial;
 use super::divisor::{coprime_part, gcd, quotient, square_free_factors};
 use super::expand::{Letters, expanded, node_of, total_degree};

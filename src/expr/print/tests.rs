@@ -1,3 +1,5 @@
+//! Tests: printed formulas parse back, and LaTeX reads as it should.
+
 use super::{definitions, latex, text};
 use crate::expr::estimate::Random;
 use crate::expr::formula::{formula, typed};

@@ -1,3 +1,5 @@
+//! Tests: rules keep the value and the domain.
+
 use crate::expr::estimate::{Estimate, Random, estimates};
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::{Op, Variable};
