@@ -1,3 +1,5 @@
+//! Tests of the rewriting: a table of equations with their sheets, and zero sets compared point by point.
+
 use super::{Sheet, Sign, sheets, vanishes_with};
 use crate::expr::estimate::{Estimate, Random, estimates};
 use crate::expr::formula::formula;
