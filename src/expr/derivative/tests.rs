@@ -1,4 +1,4 @@
-//! Tests: symbolic derivatives against dual numbers and a table of 50-digit values.
+//! Tests of the derivatives: against dual numbers, and against a table of fifty digits.
 
 #![allow(clippy::disallowed_methods, reason = "judged by the standard library")]
 

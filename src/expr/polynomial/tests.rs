@@ -1,4 +1,4 @@
-//! Tests: exact polynomials: arithmetic, division, square-free parts.
+//! Tests of the exact algebra: random products come apart again, and what would grow is declined.
 
 use super::Polynomial;
 use super::divisor::{coprime_part, gcd, quotient, square_free_factors};

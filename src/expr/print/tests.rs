@@ -1,4 +1,4 @@
-//! Tests: printed formulas parse back, and LaTeX reads as it should.
+//! Tests of printing: text reads back as the same node; brackets and LaTeX by table.
 
 use super::{definitions, latex, text};
 use crate::expr::estimate::Random;

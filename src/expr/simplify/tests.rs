@@ -1,4 +1,4 @@
-//! Tests: rules keep the value and the domain.
+//! Tests of the rules: no value and no domain changes; what people write becomes one form.
 
 use crate::expr::estimate::{Estimate, Random, estimates};
 use crate::expr::graph::{Graph, NodeId};
