@@ -141,7 +141,7 @@ impl Reader<'_> {
         } else if let ExprKind::Power(base, exponent) = &last.kind
             && !self.written(last.span).starts_with('(')
         {
-            let base = self.quote(one.span.to(base.span));
+            let base = self.quote(Span { start: one.span.start, ..base.span });
             let exponent = self.quote(exponent.span);
             let caret = if exponent.chars().all(|c| super::letters::raised(c).is_some()) { "" } else { "^" };
             self.read_as(span, &format!("{name}({argument})"), &format!("({name}({base})){caret}{exponent}"));
