@@ -1,18 +1,25 @@
 //! Programs that are refused: where, with what words, with which mend.
 
 use super::{errors, place, read};
+use crate::diag::Diagnostic;
 
 /// Each row: a program, line and column of its only error, a part of its message, a part of its help.
 fn check(rows: &[(&str, (usize, usize), &str, &str)]) {
+    let mut wrong = Vec::new();
     for (text, expected, message, help) in rows {
         let parsed = read(text);
         let found = errors(&parsed);
-        assert_eq!(found.len(), 1, "{text}: {found:#?}");
-        assert_eq!(place(text, found[0]), *expected, "{text}: {found:#?}");
-        assert!(found[0].message.contains(message), "{text}: {}", found[0].message);
-        let way_out = found[0].help.as_deref().unwrap_or("");
-        assert!(way_out.contains(help), "{text}: {way_out}");
+        let right = |error: &&Diagnostic| {
+            place(text, error) == *expected
+                && error.message.contains(message)
+                && error.help.as_deref().unwrap_or("").contains(help)
+        };
+        if found.len() != 1 || !found.iter().all(right) {
+            let seen: Vec<_> = found.iter().map(|error| (place(text, error), &error.message, &error.help)).collect();
+            wrong.push(format!("{text}\n    expected {expected:?} {message} / {help}\n    found {seen:?}"));
+        }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
@@ -54,7 +61,6 @@ fn a_misfit_is_placed_and_mended() {
         ("()", (1, 1), "nothing in these brackets", ""),
         ("max(x,)", (1, 7), "missing between `,` and `)`", ""),
         ("sin", (1, 1), "`sin` needs an argument", "sin(x)"),
-        ("sin + 1", (1, 5), "missing", ""),
         ("sin * x", (1, 1), "`sin` needs an argument", ""),
         ("atan2 x y", (1, 1), "takes its arguments in brackets", "atan2(y, x)"),
         ("g(u,v) = u*v; g x", (1, 15), "takes its arguments in brackets", ""),
@@ -156,7 +162,8 @@ fn all_independent_errors_are_found() {
     for (text, expected) in rows {
         let parsed = read(text);
         let found: Vec<(usize, usize)> = errors(&parsed).into_iter().map(|error| place(text, error)).collect();
-        assert_eq!(found, expected, "{text}: {:#?}", parsed.diagnostics);
+        let said: Vec<&String> = errors(&parsed).into_iter().map(|error| &error.message).collect();
+        assert_eq!(found, expected, "{text}: {said:?}");
     }
 }
 

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 const SMALL_STACK: usize = 1 << 19;
 
 /// Far more than any text below takes, far less than a hang.
-const PATIENCE: Duration = Duration::from_secs(5);
+const PATIENCE: Duration = Duration::from_secs(20);
 
 fn nestings(depth: usize) -> Vec<String> {
     let wrap = |open: &str, close: &str| format!("{}x{}", open.repeat(depth), close.repeat(depth));
@@ -108,15 +108,20 @@ fn long_texts_are_read_or_refused_at_once() {
         "1,",
         "q0=q;",
     ];
+    let mut slow = Vec::new();
     for part in parts {
         for size in [MAX_TEXT, 10 << 20] {
+            let text = part.repeat(size / part.len());
             let start = Instant::now();
-            let parsed = read(&part.repeat(size / part.len()));
+            let parsed = read(&text);
+            let taken = start.elapsed();
             assert!(parsed.diagnostics.len() <= 2 * MAX_REPORTED + 2, "{part}");
-            let limit = if size > MAX_TEXT { PATIENCE / 20 } else { PATIENCE };
-            assert!(start.elapsed() < limit, "{part}: {:?}", start.elapsed());
+            if taken > if size > MAX_TEXT { PATIENCE / 20 } else { PATIENCE } {
+                slow.push((part, taken));
+            }
         }
     }
+    assert!(slow.is_empty(), "{slow:?}");
 }
 
 #[test]
