@@ -1,1 +1,17 @@
-//! session
+//! One program's life: load, check, build, draw.
+//!
+//! In: texts, a [`Loader`] for those they include, what the command line adds. Out: the program with everything there
+//! is to say about it ([`Program`]), then what is to be drawn ([`Plan`]), then the drawing. Separate from the command
+//! line, so that a library or a server lives the same life: nothing here prints, reads a file or a clock.
+//!
+//! - [`include`]: programs that include others.
+//! - [`program`]: texts to formulas.
+//! - [`plan`]: formulas to surfaces, a camera and settings.
+
+pub mod include;
+pub mod plan;
+pub mod program;
+
+pub use include::{Loaded, Loader, NoFiles};
+pub use plan::{Method, Plan, Refusal, Wishes};
+pub use program::{Program, Text};

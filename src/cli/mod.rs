@@ -1,1 +1,75 @@
-//! cli
+//! The command line: the only place that prints, reads files and clocks, and ends the process.
+//!
+//! In: the process's arguments. Out: files, messages, an exit status.
+//!
+//! - [`args`]: what was typed (the only clap); [`dashes`]: programs that start with a minus.
+//! - [`render`], [`eval`], [`check`], [`greeting`]: the commands.
+//! - [`programs`]: program texts from arguments, files and standard input; [`files`]: what they include.
+//! - [`output`]: files that appear whole or not at all; [`signals`]: what an interruption leaves behind.
+//! - [`console`]: standard output and error, which may be closed; [`progress`]: the bar; [`clock`], [`stats`]: times.
+//! - [`complaint`]: why a command failed, and its exit status; [`fault`]: our own mistakes.
+
+pub mod args;
+pub mod check;
+pub mod clock;
+pub mod complaint;
+pub mod console;
+pub mod dashes;
+pub mod eval;
+pub mod fault;
+pub mod files;
+pub mod greeting;
+pub mod output;
+pub mod programs;
+pub mod progress;
+pub mod render;
+pub mod signals;
+pub mod stats;
+
+pub use complaint::{Complaint, Status};
+
+use std::ffi::OsString;
+
+/// Commands that have a name and are not built yet.
+const LATER: [&str; 13] = [
+    "explain",
+    "ray",
+    "compare",
+    "lesson",
+    "gallery",
+    "import",
+    "completions",
+    "serve",
+    "mesh",
+    "animate",
+    "plan",
+    "work",
+    "merge",
+];
+
+/// Runs the command that the arguments name; the first is the program's own name.
+///
+/// # Errors
+/// Why it failed, to be printed, and the exit status.
+pub fn run(argv: Vec<OsString>) -> Result<(), Complaint> {
+    match argv.get(1).and_then(|word| word.to_str()) {
+        None if argv.len() < 2 => greeting::run(),
+        Some("check") => check::run(read(&argv[1..])?),
+        Some("eval") => eval::run(read(&argv[1..])?),
+        Some(name) if LATER.contains(&name) => {
+            Err(Complaint::usage(format!("the command '{name}' is not built yet; there are check and eval")))
+        }
+        _ => render::run(read(&argv)?),
+    }
+}
+
+/// The arguments of a command; help and version are printed and end it.
+fn read<T: clap::Parser>(argv: &[OsString]) -> Result<T, Complaint> {
+    args::read(argv).map_err(|refusal| {
+        if refusal.is_answer {
+            console::print(refusal.text.as_bytes()).map_or_else(|complaint| complaint, |()| Complaint::DONE)
+        } else {
+            Complaint::worded(Status::Usage, refusal.text)
+        }
+    })
+}

@@ -1,8 +1,10 @@
 //! The arena of nodes: hash-consed, so that an equal subexpression is one node however often it is written.
 
 use super::op::{Op, Variable};
+use super::signs::Signs;
 use crate::diag::Span;
 use crate::num::rational::Rational;
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
 /// A node of one [`Graph`]. A node's arguments have smaller numbers than the node itself.
@@ -26,6 +28,8 @@ pub struct Graph {
     spans: Vec<Option<Span>>,
     /// Whether each node has a value at every point where its variables have one.
     total: Vec<bool>,
+    /// Which signs the values of each node can have.
+    signs: Vec<Signs>,
     index: HashMap<Node, NodeId>,
     constants: Vec<Rational>,
     constant_index: HashMap<Rational, u32>,
@@ -52,6 +56,8 @@ impl Graph {
         self.nodes.push(node);
         self.spans.push(self.here);
         self.total.push(total);
+        let signs = self.signs_of(node);
+        self.signs.push(signs);
         self.index.insert(node, id);
         id
     }
@@ -83,12 +89,48 @@ impl Graph {
             | Op::Min
             | Op::Max
             | Op::Choose => true,
-            Op::Power(n) => n > 0,
-            Op::Div => self.constant(node.args[1]).is_some_and(|c| !c.is_zero()),
-            Op::Sqrt => self.constant(node.args[0]).is_some_and(|c| !c.is_negative()),
-            Op::Ln | Op::Log2 | Op::Log10 => self.constant(node.args[0]).is_some_and(|c| c.is_positive()),
-            Op::Tan | Op::Asin | Op::Acos | Op::Acosh | Op::Atanh | Op::Pow | Op::Atan2 => false,
+            Op::Power(n) => n > 0 || self.is_nonzero(node.args[0]),
+            Op::Div => self.is_nonzero(node.args[1]),
+            Op::Sqrt => self.is_nonnegative(node.args[0]),
+            Op::Ln | Op::Log2 | Op::Log10 => self.is_positive(node.args[0]),
+            Op::Pow => {
+                self.is_positive(node.args[0]) || self.is_nonnegative(node.args[0]) && self.is_positive(node.args[1])
+            }
+            Op::Tan | Op::Asin | Op::Acos | Op::Acosh | Op::Atanh | Op::Atan2 => false,
         }
+    }
+
+    fn signs_of(&self, node: Node) -> Signs {
+        if let Op::Constant(index) = node.op {
+            return match self.constants[index as usize].cmp(&Rational::from_integer(0)) {
+                Ordering::Less => Signs::NEGATIVE,
+                Ordering::Equal => Signs::ZERO,
+                Ordering::Greater => Signs::POSITIVE,
+            };
+        }
+        let argument = |i: usize| if i < node.op.arity() { self.signs[node.args[i].0 as usize] } else { Signs::ALL };
+        Signs::of(node.op, [argument(0), argument(1), argument(2)])
+    }
+
+    /// Whether no value of the node is < 0.
+    pub fn is_nonnegative(&self, id: NodeId) -> bool {
+        self.signs[id.0 as usize].within(Signs::NOT_NEGATIVE)
+    }
+
+    /// Whether every value of the node is > 0.
+    pub fn is_positive(&self, id: NodeId) -> bool {
+        self.signs[id.0 as usize].within(Signs::POSITIVE)
+    }
+
+    /// Whether no value of the node is > 0.
+    pub fn is_nonpositive(&self, id: NodeId) -> bool {
+        self.signs[id.0 as usize].within(Signs::NOT_POSITIVE)
+    }
+
+    /// Whether no value of the node is 0.
+    pub fn is_nonzero(&self, id: NodeId) -> bool {
+        let signs = self.signs[id.0 as usize];
+        !Signs::ZERO.within(signs)
     }
 
     /// The node of an exact number.

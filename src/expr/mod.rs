@@ -6,6 +6,7 @@
 //!
 //! - [`op`]: THE table of operations.
 //! - [`graph`]: the arena; a node is made once.
+//! - [`signs`]: which signs a node's values can have.
 //! - [`simplify`]: the named rules that every new node goes through; none changes where f is defined.
 //! - [`derivative`]: the rule of every operation.
 //! - [`polynomial`]: exact polynomials over nodes as letters; square-free parts.
@@ -13,6 +14,16 @@
 //! - [`lower`]: names, functions, parameters, lists and regions become nodes.
 //! - [`print`]: text that reads back as the same graph, and LaTeX.
 
+pub mod derivative;
+pub mod equation;
+#[cfg(test)]
+mod estimate;
+#[cfg(test)]
+mod formula;
 pub mod graph;
+pub mod lower;
 pub mod op;
+pub mod polynomial;
+pub mod print;
+pub mod signs;
 pub mod simplify;

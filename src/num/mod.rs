@@ -11,8 +11,17 @@
 //! - [`interval_lanes`]: a fixed-size array of those.
 //! - [`rational`]: exact fractions, and the f64 and the interval nearest to one.
 
+pub mod func;
 pub mod fused;
 pub mod interval;
+pub mod interval_lanes;
+pub mod lanes;
 pub mod level;
 pub mod number;
 pub mod rational;
+#[cfg(test)]
+mod speed;
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+mod trial;

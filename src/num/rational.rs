@@ -26,6 +26,11 @@ impl Rational {
         Rational(Ratio::from_integer(BigInt::from(n)))
     }
 
+    /// The whole number n; `None` when too large.
+    pub fn from_big_integer(n: BigInt) -> Option<Self> {
+        Self::limited(Ratio::from_integer(n))
+    }
+
     /// p/q; `None` for q = 0.
     pub fn from_fraction(p: i64, q: i64) -> Option<Self> {
         (q != 0).then(|| Rational(Ratio::new(BigInt::from(p), BigInt::from(q))))

@@ -1,1 +1,39 @@
-//! scene
+//! What there is to see, and from where.
+//!
+//! In: what the program and the command line say of the view, and which boxes are proven empty. Out: the camera, the
+//! colours of the surfaces' two sides, the lights. Separate from drawing, because every way of drawing looks at the
+//! same scene.
+//!
+//! - [`angle`]: degrees.
+//! - [`camera`]: the ray of a pixel.
+//! - [`colour`]: sRGB as linear light; the palette.
+//! - [`framing`]: the ball around what there is to see.
+//! - [`light`]: the lights of a scene without lights.
+//! - [`view`]: what was asked of the camera, and the camera that it means.
+
+pub mod angle;
+pub mod camera;
+pub mod colour;
+pub mod framing;
+pub mod light;
+pub mod view;
+
+pub use camera::{Camera, CameraError, Projection};
+pub use colour::Sides;
+pub use framing::Framing;
+pub use view::{Orbit, View};
+
+use glam::DVec3;
+
+/// All that drawing needs to know besides where the surfaces are.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The eye.
+    pub camera: Camera,
+    /// The colours of each surface, in the surfaces' order.
+    pub sides: Vec<Sides>,
+    /// The middle of what is seen.
+    pub center: DVec3,
+    /// How far from there it reaches.
+    pub radius: f64,
+}

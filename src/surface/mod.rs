@@ -1,1 +1,28 @@
-//! surface
+//! Closures → where a ray meets f = 0.
+//!
+//! In: formulas ([`Surface`]), rays ([`Ray`]) and a region that cuts them ([`Clip`]). Out: for every ray
+//! the first root inside the region ([`Hit`]), and whether that is proven. Nothing here knows a pixel or a
+//! colour: this is mathematics, and a library of its own.
+//!
+//! - [`tracer`]: the one door: rays in, hits out, by either method.
+//! - [`sheet`]: a formula made ready: the sheets of its zero set and their kernels.
+//! - [`hit`]: what is known about a ray.
+//! - [`region`]: the clip, and the part of a ray inside it.
+//! - [`march`]: the textbook method: steps, a change of sign, Newton.
+//! - [`isolate`]: the faithful method: intervals that prove where no root is, batches of rays at once.
+//! - [`refine`]: Newton's method inside a bracket, and the certificate of its result.
+//! - [`careful`]: one hard ray at a time: roots without sign change, poles, jumps, edges of the domain.
+
+mod careful;
+pub mod hit;
+mod isolate;
+mod march;
+mod refine;
+pub mod region;
+pub mod sheet;
+pub mod tracer;
+
+pub use hit::{Counts, Hit, Outcome, Ray};
+pub use region::{Clip, Shape};
+pub use sheet::{Kind, Surface};
+pub use tracer::{Method, Tracer};

@@ -1,2 +1,9 @@
-#[test]
-fn t() {}
+//! The fast tests of the whole: one binary, so that it links once.
+//!
+//! In: the library, `tests/data`, the files of the project. Out: passed or failed. Apart from the unit tests because what
+//! is judged here is more than one module.
+#![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
+
+mod npy;
+mod tidy;
+mod tidy_scan;

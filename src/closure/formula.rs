@@ -1,0 +1,79 @@
+//! One formula with its value, gradient and enclosure, for whoever wants a single number.
+//!
+//! In: a node. Out: plain functions of a point or a box. Separate from [`super::kernel`] because a caller with
+//! one question should not have to know registers and batches.
+
+use super::{Kernel, Tape};
+use crate::expr::derivative::gradient;
+use crate::expr::graph::{Graph, NodeId};
+use crate::num::interval::{Enclosure, Interval};
+use crate::num::interval_lanes::IntervalLanes;
+use crate::num::lanes::Lanes;
+use crate::num::level::Simd;
+use glam::DVec3;
+
+/// How many boxes are enclosed at once by [`Formula::enclosures`].
+const BOXES: usize = 16;
+
+/// A function of (x, y, z).
+pub struct Formula {
+    gradient: Kernel<Lanes<1>>,
+    single: Kernel<IntervalLanes<1>>,
+    many: Kernel<IntervalLanes<BOXES>>,
+}
+
+impl Formula {
+    /// The function of a node; its derivatives are added to the graph.
+    pub fn new(graph: &mut Graph, f: NodeId, simd: Simd) -> Self {
+        let [x, y, z] = gradient(graph, f);
+        let tape = Tape::new(graph, &[f]);
+        Formula {
+            gradient: Kernel::new(&Tape::new(graph, &[f, x, y, z]), simd),
+            single: Kernel::new(&tape, simd),
+            many: Kernel::new(&tape, simd),
+        }
+    }
+
+    /// f at a point; NaN where it has no value.
+    pub fn value(&self, point: DVec3) -> f64 {
+        self.gradient(point).0
+    }
+
+    /// f and its gradient at a point; a component is NaN where the derivative has no value.
+    pub fn gradient(&self, point: DVec3) -> (f64, DVec3) {
+        let mut registers = self.gradient.registers();
+        for axis in 0..3 {
+            registers[axis].0 = [point[axis]];
+        }
+        self.gradient.run(&mut registers);
+        let [f, x, y, z] = [0, 1, 2, 3].map(|k| self.gradient.output(&registers, k).0[0]);
+        (f, DVec3::new(x, y, z))
+    }
+
+    /// What is known of f over a box.
+    pub fn enclosure(&self, range: [Interval; 3]) -> Enclosure {
+        let mut registers = self.single.registers();
+        for (register, side) in registers.iter_mut().zip(range) {
+            register.set(0, Enclosure::total(side));
+        }
+        self.single.run(&mut registers);
+        self.single.output(&registers, 0).get(0)
+    }
+
+    /// What is known of f over each of many boxes.
+    pub fn enclosures(&self, ranges: &[[Interval; 3]]) -> Vec<Enclosure> {
+        let mut registers = self.many.registers();
+        let mut out = Vec::with_capacity(ranges.len());
+        for chunk in ranges.chunks(BOXES) {
+            for (lane, range) in chunk.iter().enumerate() {
+                for (register, &side) in registers.iter_mut().zip(range) {
+                    register.set(lane, Enclosure::total(side));
+                }
+            }
+            self.many.run(&mut registers);
+            let f = self.many.output(&registers, 0);
+            out.extend((0..chunk.len()).map(|lane| f.get(lane)));
+        }
+        out
+    }
+}

@@ -1,0 +1,233 @@
+//! The nodes of some formulas as a list of steps over registers.
+//!
+//! In: a graph and its roots. Out: steps in an order in which arguments come before their users, with
+//! registers given out again once nobody reads them, so that the working set stays in the first cache.
+//! Separate because every number type runs the same list.
+
+use super::constant;
+use crate::expr::graph::{Graph, NodeId};
+use crate::expr::op::{Op, Variable};
+use crate::num::interval::Interval;
+use crate::num::number::Constant;
+use crate::num::rational::Rational;
+
+/// A place in the register file.
+pub type Register = u32;
+
+/// One operation on registers. `out` differs from every argument.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// What to do.
+    pub action: Action,
+    /// With what; those past the operation's arity repeat the first.
+    pub args: [Register; 3],
+    /// Where the result goes.
+    pub out: Register,
+}
+
+/// What a step does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action {
+    /// The operation of one node.
+    One(Op),
+    /// Sine into `out` and cosine into the register named here.
+    SinCos(Register),
+}
+
+/// A list of steps.
+#[derive(Clone, Debug)]
+pub struct Tape {
+    /// The steps, in order.
+    pub steps: Vec<Step>,
+    /// Registers that hold constants and are never written.
+    pub constants: Vec<(Register, Constant)>,
+    /// How many registers there are; the first six are the variables, in the order of [`Variable::ALL`].
+    pub registers: usize,
+    /// Where the roots end up, in the order asked.
+    pub outputs: Vec<Register>,
+}
+
+impl Tape {
+    /// The steps that compute `roots`; what depends on no variable is computed here and now.
+    pub fn new(graph: &Graph, roots: &[NodeId]) -> Self {
+        let order = graph.reachable(roots);
+        let folded = constant::fold(graph, &order, roots);
+        Self::with_constants(graph, roots, &folded)
+    }
+
+    /// The same with every operation a step.
+    pub(super) fn unfolded(graph: &Graph, roots: &[NodeId]) -> Self {
+        Self::with_constants(graph, roots, &[])
+    }
+
+    fn with_constants(graph: &Graph, roots: &[NodeId], folded: &[(NodeId, Constant)]) -> Self {
+        let order = order(graph, roots, folded);
+        let mut build = Build::new(graph, &order, roots);
+        for &(id, value) in folded {
+            build.done[id.0 as usize] = true;
+            build.leaf[id.0 as usize] = true;
+            build.constant(id.0 as usize, value);
+        }
+        for (position, &id) in order.iter().enumerate() {
+            build.emit(position, id);
+        }
+        let outputs = roots.iter().map(|&r| build.register[r.0 as usize]).collect();
+        Tape { steps: build.steps, constants: build.constants, registers: build.count as usize, outputs }
+    }
+}
+
+/// The nodes that `roots` need, arguments first; nothing below a folded node.
+fn order(graph: &Graph, roots: &[NodeId], folded: &[(NodeId, Constant)]) -> Vec<NodeId> {
+    let mut seen = vec![false; graph.len()];
+    let mut known = vec![false; graph.len()];
+    for (id, _) in folded {
+        known[id.0 as usize] = true;
+    }
+    let mut stack = roots.to_vec();
+    while let Some(id) = stack.pop() {
+        let at = id.0 as usize;
+        if !known[at] && !std::mem::replace(&mut seen[at], true) {
+            stack.extend_from_slice(graph.args(id));
+        }
+    }
+    (0..graph.len() as u32).map(NodeId).filter(|id| seen[id.0 as usize]).collect()
+}
+
+/// The state of one pass over the nodes.
+struct Build<'a> {
+    graph: &'a Graph,
+    steps: Vec<Step>,
+    constants: Vec<(Register, Constant)>,
+    /// Of each node that has been emitted.
+    register: Vec<Register>,
+    /// Position in the order of the last reader of each node.
+    last_use: Vec<usize>,
+    /// Sine and cosine nodes by argument, for fusing.
+    partner: Vec<Option<NodeId>>,
+    done: Vec<bool>,
+    /// Variables and constants: their registers are never given away.
+    leaf: Vec<bool>,
+    free: Vec<Register>,
+    count: u32,
+}
+
+impl<'a> Build<'a> {
+    fn new(graph: &'a Graph, order: &[NodeId], roots: &[NodeId]) -> Self {
+        let mut last_use = vec![0; graph.len()];
+        let mut sine_of = vec![None; graph.len()];
+        let mut cosine_of = vec![None; graph.len()];
+        for (position, &id) in order.iter().enumerate() {
+            for &a in graph.args(id) {
+                last_use[a.0 as usize] = position;
+            }
+            match graph.op(id) {
+                Op::Sin => sine_of[graph.args(id)[0].0 as usize] = Some(id),
+                Op::Cos => cosine_of[graph.args(id)[0].0 as usize] = Some(id),
+                _ => {}
+            }
+        }
+        for &r in roots {
+            last_use[r.0 as usize] = usize::MAX;
+        }
+        let mut partner = vec![None; graph.len()];
+        for (s, c) in sine_of.into_iter().zip(cosine_of) {
+            if let (Some(s), Some(c)) = (s, c) {
+                (partner[s.0 as usize], partner[c.0 as usize]) = (Some(c), Some(s));
+            }
+        }
+        Build {
+            graph,
+            steps: Vec::with_capacity(order.len()),
+            constants: Vec::new(),
+            register: vec![0; graph.len()],
+            last_use,
+            partner,
+            done: vec![false; graph.len()],
+            leaf: (0..graph.len() as u32).map(|id| graph.op(NodeId(id)).arity() == 0).collect(),
+            free: Vec::new(),
+            count: Variable::ALL.len() as u32,
+        }
+    }
+
+    fn emit(&mut self, position: usize, id: NodeId) {
+        let at = id.0 as usize;
+        if std::mem::replace(&mut self.done[at], true) {
+            self.release_arguments(position, id);
+            return;
+        }
+        match self.graph.op(id) {
+            Op::Variable(v) => self.register[at] = v as Register,
+            Op::Constant(index) => self.constant(at, rational_constant(self.graph.constants(index))),
+            Op::Pi => self.constant(at, PI),
+            Op::E => self.constant(at, E),
+            op => self.step(position, id, op),
+        }
+    }
+
+    fn constant(&mut self, at: usize, value: Constant) {
+        self.register[at] = self.count;
+        self.constants.push((self.count, value));
+        self.count += 1;
+    }
+
+    fn step(&mut self, position: usize, id: NodeId, op: Op) {
+        let arguments = self.graph.args(id);
+        let first = self.register[arguments[0].0 as usize];
+        let mut args = [first; 3];
+        for (slot, a) in args.iter_mut().zip(arguments) {
+            *slot = self.register[a.0 as usize];
+        }
+        let out = self.take();
+        self.register[id.0 as usize] = out;
+        let action = match self.partner[id.0 as usize] {
+            Some(partner) => {
+                let other = self.take();
+                self.register[partner.0 as usize] = other;
+                self.done[partner.0 as usize] = true;
+                if op == Op::Sin {
+                    Action::SinCos(other)
+                } else {
+                    self.steps.push(Step { action: Action::SinCos(out), args, out: other });
+                    self.release_arguments(position, id);
+                    return;
+                }
+            }
+            None => Action::One(op),
+        };
+        self.steps.push(Step { action, args, out });
+        self.release_arguments(position, id);
+    }
+
+    fn take(&mut self) -> Register {
+        self.free.pop().unwrap_or_else(|| {
+            self.count += 1;
+            self.count - 1
+        })
+    }
+
+    /// Gives back the registers of arguments that nobody reads after this position.
+    fn release_arguments(&mut self, position: usize, id: NodeId) {
+        let arguments = self.graph.args(id);
+        for (k, &a) in arguments.iter().enumerate() {
+            if !self.leaf[a.0 as usize] && self.last_use[a.0 as usize] == position && !arguments[..k].contains(&a) {
+                self.free.push(self.register[a.0 as usize]);
+            }
+        }
+    }
+}
+
+/// π and the two f64 around it.
+const PI: Constant = Constant {
+    point: std::f64::consts::PI,
+    range: Interval { lo: std::f64::consts::PI, hi: std::f64::consts::PI.next_up() },
+};
+
+/// e = 2.718281828459045 09…, just above the f64's value of 2.718281828459045 09079….
+const E: Constant = Constant {
+    point: std::f64::consts::E,
+    range: Interval { lo: std::f64::consts::E, hi: std::f64::consts::E.next_up() },
+};
+
+fn rational_constant(value: &Rational) -> Constant {
+    Constant { point: value.to_f64(), range: value.enclosure() }
+}

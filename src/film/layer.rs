@@ -1,0 +1,36 @@
+//! One value for every pixel.
+//!
+//! In: a size and values. Out: rows of them, from the top. Colours, depths and normals are layers of one kind.
+
+use super::size::Size;
+
+/// A value of type `T` for every pixel, rows from the top, each from the left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer<T> {
+    /// How many pixels there are.
+    pub size: Size,
+    /// Their values.
+    pub values: Vec<T>,
+}
+
+impl<T: Copy> Layer<T> {
+    /// A layer that is `value` everywhere.
+    pub fn filled(size: Size, value: T) -> Self {
+        Layer { size, values: vec![value; size.pixels()] }
+    }
+
+    /// The value of pixel i from the left, j from the top.
+    pub fn at(&self, i: u32, j: u32) -> T {
+        self.values[j as usize * self.size.width() as usize + i as usize]
+    }
+
+    /// Gives pixel i from the left, j from the top a value.
+    pub fn set(&mut self, i: u32, j: u32, value: T) {
+        self.values[j as usize * self.size.width() as usize + i as usize] = value;
+    }
+
+    /// The rows, from the top.
+    pub fn rows(&self) -> impl Iterator<Item = &[T]> {
+        self.values.chunks_exact(self.size.width() as usize)
+    }
+}

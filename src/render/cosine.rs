@@ -1,0 +1,19 @@
+//! Mode `cosine`: colour by the angle between the normal and the direction to the light.
+//!
+//! In: a hit. Out: colour · max(0, cos), linear, without ambient light; the first shading one writes.
+
+use super::integrator::{facing_normal, pixel, side};
+use crate::scene::{Scene, light};
+use crate::surface::{Hit, Ray};
+
+/// What is seen where there is no surface: dark, so that shadows and nothing differ.
+pub const NOTHING: [f32; 3] = [0.018, 0.021, 0.030];
+
+/// The colour of one ray.
+pub fn colour(scene: &Scene, ray: &Ray, hit: &Hit) -> [f32; 3] {
+    if !hit.is_drawn() {
+        return NOTHING;
+    }
+    let cos = facing_normal(ray, hit).dot(light::shoulder(&scene.camera));
+    pixel(side(scene, hit) * cos.max(0.0))
+}

@@ -1,0 +1,19 @@
+//! Mode `mirror`: colour by the angle between the reflected ray and the direction to the light.
+//!
+//! In: a hit. Out: colour · max(0, cos), linear, without ambient light.
+
+use super::cosine::NOTHING;
+use super::integrator::{facing_normal, pixel, side};
+use crate::scene::{Scene, light};
+use crate::surface::{Hit, Ray};
+
+/// The colour of one ray.
+pub fn colour(scene: &Scene, ray: &Ray, hit: &Hit) -> [f32; 3] {
+    if !hit.is_drawn() {
+        return NOTHING;
+    }
+    let n = facing_normal(ray, hit);
+    let d = ray.direction;
+    let reflected = d - n * (2.0 * d.dot(n));
+    pixel(side(scene, hit) * reflected.dot(light::shoulder(&scene.camera)).max(0.0))
+}

@@ -1,0 +1,86 @@
+//! What to draw, and how well.
+//!
+//! In: words from a command line or a program. Out: plain settings.
+
+use crate::film::{Size, Tone};
+
+/// What the colour of a pixel says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Mode {
+    /// One look that flatters any surface.
+    #[default]
+    Studio,
+    /// The cosine of the angle between the normal and the direction to the light.
+    Cosine,
+    /// The cosine of the angle between the reflected ray and the direction to the light.
+    Mirror,
+    /// The normal, (n + 1)/2 as red, green, blue.
+    Normal,
+    /// The distance: near is light.
+    Depth,
+    /// How many enclosures the ray took.
+    Cost,
+    /// What is proven of the pixel.
+    Proof,
+}
+
+impl Mode {
+    /// All modes with the words that name them.
+    pub const ALL: [(&'static str, Mode); 7] = [
+        ("studio", Mode::Studio),
+        ("cosine", Mode::Cosine),
+        ("mirror", Mode::Mirror),
+        ("normal", Mode::Normal),
+        ("depth", Mode::Depth),
+        ("cost", Mode::Cost),
+        ("proof", Mode::Proof),
+    ];
+
+    /// The mode of a name.
+    pub fn from_name(name: &str) -> Option<Mode> {
+        Mode::ALL.into_iter().find(|(word, _)| *word == name).map(|(_, mode)| mode)
+    }
+
+    /// How the mode's values are shown on a screen.
+    pub fn tone(self) -> Tone {
+        match self {
+            Mode::Studio => Tone::Neutral,
+            Mode::Cosine | Mode::Mirror => Tone::Linear,
+            Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof => Tone::Data,
+        }
+    }
+
+    /// The most samples a pixel where nobody says: where colours are looked at, edges are smoothed; what one ray knows
+    /// is not mixed with its neighbours.
+    pub fn default_samples(self) -> u32 {
+        match self {
+            Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal => 16,
+            Mode::Depth | Mode::Cost | Mode::Proof => 1,
+        }
+    }
+}
+
+/// What to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// How many pixels.
+    pub size: Size,
+    /// What their colours say.
+    pub mode: Mode,
+    /// The most samples a pixel; 1: the ray through its centre alone.
+    pub samples: u32,
+    /// How many threads draw; at least 1.
+    pub threads: usize,
+    /// Whether distances are kept.
+    pub keep_depth: bool,
+    /// Whether normals are kept.
+    pub keep_normals: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        let mode = Mode::default();
+        let samples = mode.default_samples();
+        Settings { size: Size::default(), mode, samples, threads: 1, keep_depth: false, keep_normals: false }
+    }
+}

@@ -1,0 +1,129 @@
+//! Drawing proved on a sphere whose hits are known in closed form.
+
+use super::*;
+use crate::film::Size;
+use crate::render::{Mode, Silent};
+use crate::scene::{Camera, Projection, Sides};
+use glam::DVec3;
+
+/// The unit sphere around the origin.
+#[derive(Default)]
+struct UnitSphere(Counts);
+
+impl Trace for UnitSphere {
+    fn trace(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
+        self.0.rays += rays.len() as u64;
+        hits.clear();
+        hits.extend(rays.iter().map(first_hit));
+    }
+
+    fn trace_from_surface(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
+        self.trace(rays, hits);
+    }
+
+    fn counts(&self) -> Counts {
+        self.0
+    }
+}
+
+fn first_hit(ray: &Ray) -> Hit {
+    let middle = -ray.origin.dot(ray.direction);
+    let half_squared = 1.0 - (ray.origin + ray.direction * middle).length_squared();
+    let t = middle - half_squared.max(0.0).sqrt();
+    if half_squared < 0.0 || t <= 0.0 {
+        return Hit { proven: true, ..Hit::NONE };
+    }
+    Hit { outcome: Outcome::Hit, proven: true, t, near: t, normal: ray.at(t), ..Hit::NONE }
+}
+
+fn scene() -> Scene {
+    let camera = Camera::new(DVec3::new(0.0, -3.0, 0.0), DVec3::ZERO, Projection::Perspective { fov: 50.0 }).unwrap();
+    Scene { camera, sides: vec![Sides::by_default(0, 1)], center: DVec3::ZERO, radius: 1.0 }
+}
+
+fn settings(mode: Mode, samples: u32) -> Settings {
+    let size = Size::new(75, 50).unwrap();
+    Settings { size, mode, samples, threads: 1, keep_depth: true, keep_normals: true }
+}
+
+fn drawn(settings: &Settings) -> Drawing {
+    draw(&scene(), settings, &UnitSphere::default, &Silent).unwrap()
+}
+
+#[test]
+fn every_pixel_is_drawn_and_counted_once() {
+    let drawing = drawn(&settings(Mode::Normal, 1));
+    let report = drawing.report;
+    assert_eq!(report.hits + report.misses, 75 * 50);
+    assert_eq!(report.proven, 75 * 50);
+    assert_eq!(report.counts.rays, 75 * 50);
+    let (depth, normals) = (drawing.depth.unwrap(), drawing.normals.unwrap());
+    for j in 0..50 {
+        for i in 0..75 {
+            let ray = scene().camera.ray(75, 50, f64::from(i) + 0.5, f64::from(j) + 0.5);
+            let hit = first_hit(&ray);
+            assert_eq!(depth.at(i, j), hit.t as f32);
+            assert_eq!(normals.at(i, j)[0].is_nan(), !hit.is_drawn());
+            assert_eq!(drawing.picture.at(i, j) == [0.0; 3], !hit.is_drawn());
+        }
+    }
+}
+
+#[test]
+fn any_number_of_threads_draws_the_same_picture() {
+    for (_, mode) in Mode::ALL {
+        let one = drawn(&settings(mode, 16));
+        for threads in [2, 3, 7] {
+            let many = drawn(&Settings { threads, ..settings(mode, 16) });
+            assert_eq!(one.picture, many.picture, "{mode:?}");
+            assert_eq!(one.depth, many.depth);
+            assert_eq!(one.report.counts, many.report.counts);
+        }
+    }
+}
+
+#[test]
+fn only_edges_take_more_samples_and_depth_stays_that_of_the_centre() {
+    let (one, many) = (drawn(&settings(Mode::Proof, 1)), drawn(&settings(Mode::Proof, 16)));
+    assert_eq!(one.depth, many.depth);
+    assert_eq!((one.report.hits, one.report.proven), (many.report.hits, many.report.proven));
+    assert!(many.report.counts.rays > 75 * 50 && many.report.counts.rays < 5 * 75 * 50);
+    let changed = one.picture.values.iter().zip(&many.picture.values).filter(|(a, b)| a != b).count();
+    assert!((50..400).contains(&changed), "{changed}");
+}
+
+#[test]
+fn smoothed_edges_cover_what_the_disc_covers() {
+    // In mode proof a miss is one colour; the sphere's outline is a circle, so its area is known.
+    let size = Size::new(64, 64).unwrap();
+    let camera = Camera::new(DVec3::new(0.0, -3.0, 0.0), DVec3::ZERO, Projection::Parallel { height: 3.0 }).unwrap();
+    let scene = Scene { camera, ..scene() };
+    let area = |samples| {
+        let settings = Settings { size, ..settings(Mode::Depth, samples) };
+        let drawing = draw(&scene, &settings, &UnitSphere::default, &Silent).unwrap();
+        drawing.picture.values.iter().filter(|p| p[0] > 0.0).count()
+    };
+    let exact = std::f64::consts::PI * (64.0f64 / 3.0).powi(2);
+    assert!((area(1) as f64 - exact).abs() < 0.02 * exact);
+    assert!(area(16) > area(1), "pixels that are covered in part are not empty");
+}
+
+#[test]
+fn studio_lights_the_side_of_the_key_and_never_goes_black() {
+    let picture = drawn(&settings(Mode::Studio, 1)).picture;
+    let light = |i: u32, j: u32| picture.at(i, j).iter().sum::<f32>();
+    assert!(light(30, 18) > light(44, 34));
+    assert!(picture.values.iter().flatten().all(|&l| l.is_finite() && l > 0.0));
+}
+
+#[test]
+fn a_cancelled_drawing_is_none() {
+    struct Cancelled;
+    impl Watch for Cancelled {
+        fn is_cancelled(&self) -> bool {
+            true
+        }
+    }
+    let result = draw(&scene(), &settings(Mode::Studio, 1), &UnitSphere::default, &Cancelled);
+    assert_eq!(result.err(), Some(Failure::Cancelled));
+}

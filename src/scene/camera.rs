@@ -1,0 +1,174 @@
+//! The eye: which ray belongs to which pixel.
+//!
+//! In: where the eye is, what it looks at, how wide it sees. Out: the ray through any point of the picture.
+//! Right-handed world, z up.
+
+use super::angle;
+use crate::surface::Ray;
+use glam::DVec3;
+use std::fmt;
+
+/// The shortest `F × up` that still says where right is; below it the view is along z, and y is up instead.
+const MIN_RIGHT: f64 = 1e-9;
+
+/// How the rays leave.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// From one point; the vertical field of view in degrees, more than 0 and less than 180.
+    Perspective {
+        /// Degrees from the lower to the upper edge.
+        fov: f64,
+    },
+    /// From a plane, all in one direction.
+    Parallel {
+        /// Height of the picture in units of the world.
+        height: f64,
+    },
+}
+
+/// An eye with its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where it is.
+    pub eye: DVec3,
+    /// Where it looks: F.
+    pub forward: DVec3,
+    /// To the right in the picture: R.
+    pub right: DVec3,
+    /// Upward in the picture: U = R × F.
+    pub up: DVec3,
+    /// Half the picture's height: at distance 1 from the eye, or in the world for parallel rays.
+    half_height: f64,
+    is_parallel: bool,
+}
+
+/// Why there is no such camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CameraError {
+    /// The eye is at the point it looks at, or nearer than a double can tell.
+    NoDirection,
+    /// The field of view is not between 0 and 180 degrees.
+    FieldOfView,
+    /// The height of parallel rays is not positive.
+    Height,
+}
+
+impl Camera {
+    /// The camera at `eye` that looks at `look_at`.
+    ///
+    /// # Errors
+    /// If the two are one point, or the projection shows nothing.
+    pub fn new(eye: DVec3, look_at: DVec3, projection: Projection) -> Result<Self, CameraError> {
+        let toward = look_at - eye;
+        let length = toward.length();
+        if !(length > 0.0 && length.is_finite()) {
+            return Err(CameraError::NoDirection);
+        }
+        let (half_height, is_parallel) = match projection {
+            Projection::Perspective { fov } if fov > 0.0 && fov < 180.0 => (angle::tangent(fov / 2.0), false),
+            Projection::Perspective { .. } => return Err(CameraError::FieldOfView),
+            Projection::Parallel { height } if height > 0.0 && height.is_finite() => (height / 2.0, true),
+            Projection::Parallel { .. } => return Err(CameraError::Height),
+        };
+        let forward = toward / length;
+        let sideways = match forward.cross(DVec3::Z) {
+            vertical if vertical.length() < MIN_RIGHT => forward.cross(DVec3::Y),
+            sideways => sideways,
+        };
+        let right = sideways / sideways.length();
+        Ok(Camera { eye, forward, right, up: right.cross(forward), half_height, is_parallel })
+    }
+
+    /// The ray through the point `(across, down)` of a picture of `width` × `height` pixels, counted in pixels from
+    /// its upper left corner: pixel (i, j) has its centre at (i + 0.5, j + 0.5).
+    pub fn ray(&self, width: u32, height: u32, across: f64, down: f64) -> Ray {
+        let (w, h) = (f64::from(width), f64::from(height));
+        let sx = (across / w * 2.0 - 1.0) * (w / h) * self.half_height;
+        let sy = (1.0 - down / h * 2.0) * self.half_height;
+        let offset = self.right * sx + self.up * sy;
+        if self.is_parallel {
+            return Ray { origin: self.eye + offset, direction: self.forward };
+        }
+        let direction = self.forward + offset;
+        Ray { origin: self.eye, direction: direction / direction.length() }
+    }
+}
+
+/// The eye around `center` at azimuth and elevation in degrees.
+pub fn orbit(center: DVec3, azimuth: f64, elevation: f64, distance: f64) -> DVec3 {
+    let (ce, se) = (angle::cosine(elevation), angle::sine(elevation));
+    center + distance * DVec3::new(ce * angle::cosine(azimuth), ce * angle::sine(azimuth), se)
+}
+
+impl fmt::Display for CameraError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            CameraError::NoDirection => "the eye is at the point it looks at; move one of them",
+            CameraError::FieldOfView => "the field of view must be more than 0 and less than 180 degrees",
+            CameraError::Height => "the height of the picture in parallel rays must be more than 0",
+        })
+    }
+}
+
+impl std::error::Error for CameraError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FORTY: Projection = Projection::Perspective { fov: 40.0 };
+
+    #[test]
+    fn frames_are_right_handed_with_z_up() {
+        let rows = [
+            (DVec3::new(0.0, -5.0, 0.0), DVec3::X, DVec3::Z),
+            (DVec3::new(5.0, 0.0, 0.0), DVec3::Y, DVec3::Z),
+            (DVec3::new(0.0, 0.0, 5.0), DVec3::X, DVec3::Y),
+            (DVec3::new(0.0, 0.0, -5.0), -DVec3::X, DVec3::Y),
+        ];
+        for (eye, right, up) in rows {
+            let camera = Camera::new(eye, DVec3::ZERO, FORTY).unwrap();
+            assert!((camera.right - right).length() < 1e-15 && (camera.up - up).length() < 1e-15, "{eye}");
+        }
+    }
+
+    #[test]
+    fn the_middle_of_the_picture_is_ahead_and_corners_are_where_the_formula_says() {
+        let camera = Camera::new(DVec3::new(0.0, -5.0, 0.0), DVec3::ZERO, FORTY).unwrap();
+        assert_eq!(camera.ray(8, 6, 4.0, 3.0).direction, DVec3::Y);
+        let t = (20.0f64).to_radians().tan();
+        let sx = ((0.5 / 8.0) * 2.0 - 1.0) * (8.0 / 6.0) * t;
+        let sy = (1.0 - (0.5 / 6.0) * 2.0) * t;
+        let expected = DVec3::new(sx, 1.0, sy).normalize();
+        assert!((camera.ray(8, 6, 0.5, 0.5).direction - expected).length() < 1e-15);
+    }
+
+    #[test]
+    fn parallel_rays_start_on_the_plane_of_the_eye() {
+        let camera =
+            Camera::new(DVec3::new(0.0, -5.0, 0.0), DVec3::ZERO, Projection::Parallel { height: 4.0 }).unwrap();
+        let ray = camera.ray(8, 4, 0.0, 0.0);
+        assert_eq!((ray.origin, ray.direction), (DVec3::new(-4.0, -5.0, 2.0), DVec3::Y));
+    }
+
+    #[test]
+    fn orbits_count_from_x_towards_y_and_up() {
+        assert_eq!(orbit(DVec3::ONE, 0.0, 0.0, 2.0), DVec3::new(3.0, 1.0, 1.0));
+        assert_eq!(orbit(DVec3::ZERO, 90.0, 0.0, 2.0), DVec3::new(0.0, 2.0, 0.0));
+        assert_eq!(orbit(DVec3::ZERO, -90.0, 0.0, 2.0), DVec3::new(0.0, -2.0, 0.0));
+        assert_eq!(orbit(DVec3::ZERO, 17.0, 90.0, 2.0), DVec3::new(0.0, 0.0, 2.0));
+    }
+
+    #[test]
+    fn impossible_cameras_are_refused() {
+        let eye = DVec3::ONE;
+        assert_eq!(Camera::new(eye, eye, FORTY), Err(CameraError::NoDirection));
+        for fov in [0.0, 180.0, -3.0, f64::NAN] {
+            assert_eq!(Camera::new(eye, DVec3::ZERO, Projection::Perspective { fov }), Err(CameraError::FieldOfView));
+        }
+        for height in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(Camera::new(eye, DVec3::ZERO, Projection::Parallel { height }), Err(CameraError::Height));
+        }
+    }
+}

@@ -1,0 +1,400 @@
+//! What there is to see, when nobody said where to look.
+//!
+//! In: a question that can be asked of any box: is it proven that no surface is in it? Out: a ball around the
+//! surfaces, or around the part of them that is nearest to the origin. Separate from the camera because a clip is
+//! found in the same way whoever looks.
+
+use crate::surface::Shape;
+use glam::DVec3;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// Half the side of the largest box that is searched is 2 to this power.
+pub const MAX_POWER: i32 = 20;
+
+/// The most boxes that are asked about: a few tenths of a second for a long formula.
+const MAX_CELLS: u32 = 1 << 18;
+
+/// Empty shells in a row after which what is inside is all: each is twice as large as the one before.
+const EMPTY_SHELLS: i32 = 3;
+
+/// How often a cube of a shell is halved before what is left of it counts as surface.
+const SHELL_DEPTH: u32 = 3;
+
+/// How often the inside is halved, each way, to see whether anything is there at all.
+const INSIDE_DEPTH: u32 = 6;
+
+/// The radius of the ball when what there is to see has no end.
+const ENDLESS_RADIUS: f64 = 6.0;
+
+/// The margin around what is bounded.
+const MARGIN: f64 = 1.05;
+
+/// Boxes asked about in one search for an extreme; more would not be seen in the picture.
+const EXTREME_CELLS: u32 = 3000;
+
+/// An extreme is found to this share of the searched box.
+const EXTREME_SHARE: f64 = 1.0 / 512.0;
+
+/// The width to which the point nearest to the origin is found, and the grid it is put on.
+const NEAREST_WIDTH: f64 = 1.0 / 128.0;
+
+/// How much farther than the nearest point others may be to count as equally near.
+const TIE_WIDTH: f64 = 1.0 / 16.0;
+
+/// What is proven of a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cell {
+    /// f > 0 all over.
+    Positive,
+    /// f < 0 all over.
+    Negative,
+    /// f has no value anywhere.
+    Undefined,
+    /// No surface, for a reason that differs from place to place or from surface to surface.
+    Empty,
+    /// Nothing: there may be a surface.
+    Possible,
+}
+
+/// What was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Framing {
+    /// The ball to look at.
+    pub center: DVec3,
+    /// Its radius.
+    pub radius: f64,
+    /// Whether all there is to see is in it.
+    pub is_all: bool,
+}
+
+impl Framing {
+    /// As a clip's shape.
+    pub fn shape(&self) -> Shape {
+        Shape::Ball { center: self.center, radius: self.radius }
+    }
+}
+
+/// That there is nothing to see, and what is proven instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Nothing(pub Cell);
+
+/// The answer to the question, by the corners of a box.
+pub type Classify<'a> = &'a dyn Fn(DVec3, DVec3) -> Cell;
+
+/// Finds the ball.
+///
+/// # Errors
+/// If no box within 2^[`MAX_POWER`] of the origin can hold a surface.
+pub fn find(classify: Classify) -> Result<Framing, Nothing> {
+    let mut search = Search { classify, cells_left: MAX_CELLS };
+    if let Some(framing) = search.bounded() {
+        return Ok(framing);
+    }
+    search.nearest()
+}
+
+/// How far from `center` there can be surface inside the box; zero if it is proven that there is none.
+pub fn reach(classify: Classify, min: DVec3, max: DVec3, center: DVec3) -> f64 {
+    let width = (max - min).max_element() * EXTREME_SHARE;
+    extreme(classify, Cube { min, max }, width, EXTREME_CELLS, &|cube| cube.farthest(center)).unwrap_or(0.0)
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Cube {
+    min: DVec3,
+    max: DVec3,
+}
+
+impl Cube {
+    fn around_origin(half: f64) -> Self {
+        Cube { min: DVec3::splat(-half), max: DVec3::splat(half) }
+    }
+
+    fn width(&self) -> f64 {
+        (self.max - self.min).max_element()
+    }
+
+    fn children(&self) -> [Cube; 8] {
+        let middle = (self.min + self.max) * 0.5;
+        std::array::from_fn(|k| {
+            let upper = glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0);
+            Cube { min: DVec3::select(upper, middle, self.min), max: DVec3::select(upper, self.max, middle) }
+        })
+    }
+
+    fn farthest(&self, point: DVec3) -> f64 {
+        (self.min - point).abs().max((self.max - point).abs()).length()
+    }
+
+    fn nearest_point(&self) -> DVec3 {
+        DVec3::ZERO.clamp(self.min, self.max)
+    }
+}
+
+struct Search<'a> {
+    classify: Classify<'a>,
+    cells_left: u32,
+}
+
+impl Search<'_> {
+    /// Whether a surface may be in the cube, halved at most `depth` times.
+    fn survives(&mut self, cube: Cube, depth: u32) -> bool {
+        if self.cells_left == 0 {
+            return true;
+        }
+        self.cells_left -= 1;
+        match (self.classify)(cube.min, cube.max) {
+            Cell::Possible if depth == 0 => true,
+            Cell::Possible => cube.children().into_iter().any(|child| self.survives(child, depth - 1)),
+            Cell::Positive | Cell::Negative | Cell::Undefined | Cell::Empty => false,
+        }
+    }
+
+    /// Whether nothing is between the cubes of half sides `half / 2` and `half`.
+    fn shell_is_empty(&mut self, half: f64) -> bool {
+        let step = half / 2.0;
+        let is_inner = |i: i32| i == 1 || i == 2;
+        for (i, j, k) in (0..64).map(|n| (n & 3, (n >> 2) & 3, n >> 4)) {
+            if is_inner(i) && is_inner(j) && is_inner(k) {
+                continue;
+            }
+            let min = DVec3::new(f64::from(i), f64::from(j), f64::from(k)) * step - DVec3::splat(half);
+            if self.survives(Cube { min, max: min + DVec3::splat(step) }, SHELL_DEPTH) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The ball around all there is, if enough space around it is empty.
+    fn bounded(&mut self) -> Option<Framing> {
+        let mut empty_shells = 0;
+        for power in 0..=MAX_POWER {
+            let half = f64::from(1u32 << power);
+            empty_shells = if self.shell_is_empty(half) { empty_shells + 1 } else { 0 };
+            if self.cells_left == 0 {
+                return None;
+            }
+            let inside = Cube::around_origin(half / f64::from(1 << EMPTY_SHELLS));
+            if empty_shells >= EMPTY_SHELLS && self.survives(inside, INSIDE_DEPTH) {
+                if let Some(framing) = self.around_all(inside) {
+                    return Some(framing);
+                }
+            }
+        }
+        None
+    }
+
+    /// The ball around everything inside; `None` if on a closer look nothing is.
+    fn around_all(&self, inside: Cube) -> Option<Framing> {
+        let mut bounds = inside;
+        // Each round measures to a share of the last box, so that the smallest thing is found to its own scale.
+        for _ in 0..64 {
+            let tighter = self.bounding_box(bounds)?;
+            let is_done = tighter.width() > 0.5 * bounds.width();
+            bounds = tighter;
+            if is_done {
+                break;
+            }
+        }
+        let half = bounds.width() / 2.0;
+        let middle = (bounds.min + bounds.max) * 0.5;
+        let center = DVec3::select(middle.abs().cmplt(DVec3::splat(half / 64.0)), DVec3::ZERO, middle);
+        let width = bounds.width() * EXTREME_SHARE;
+        let radius = extreme(self.classify, bounds, width, EXTREME_CELLS, &|cube| cube.farthest(center))?;
+        Some(Framing { center, radius: round_to_three_digits(radius * MARGIN), is_all: true })
+    }
+
+    fn bounding_box(&self, within: Cube) -> Option<Cube> {
+        let width = within.width() * EXTREME_SHARE;
+        let mut tight = within;
+        for axis in 0..3 {
+            let top = extreme(self.classify, within, width, EXTREME_CELLS, &|cube| cube.max[axis])?;
+            let bottom = extreme(self.classify, within, width, EXTREME_CELLS, &|cube| -cube.min[axis])?;
+            tight.max[axis] = top;
+            tight.min[axis] = -bottom;
+        }
+        Some(tight)
+    }
+
+    /// The ball around the point nearest to the origin; in the middle, if there are several as near.
+    fn nearest(&mut self) -> Result<Framing, Nothing> {
+        let mut queue = BinaryHeap::from([Ranked::new(Cube::around_origin(f64::from(1u32 << MAX_POWER)), &nearness)]);
+        let mut proven = None;
+        let mut found: Vec<DVec3> = Vec::new();
+        self.cells_left = MAX_CELLS;
+        while let Some(Ranked { key, cube }) = queue.pop() {
+            if found.first().is_some_and(|first| -key > first.length() + TIE_WIDTH) || self.cells_left == 0 {
+                break;
+            }
+            self.cells_left -= 1;
+            match (self.classify)(cube.min, cube.max) {
+                Cell::Possible if cube.width() <= NEAREST_WIDTH => {
+                    found.push(cube.nearest_point());
+                    self.cells_left = self.cells_left.min(EXTREME_CELLS);
+                }
+                Cell::Possible => queue.extend(cube.children().map(|child| Ranked::new(child, &nearness))),
+                other => proven = Some(if proven.is_none_or(|p| p == other) { other } else { Cell::Empty }),
+            }
+        }
+        // Out of work without a certain point: the nearest box that may hold one says where to look.
+        let found =
+            if found.is_empty() { queue.pop().map(|r| r.cube.nearest_point()).into_iter().collect() } else { found };
+        match middle_of_nearest(&found) {
+            Some(center) => Ok(Framing { center, radius: ENDLESS_RADIUS, is_all: false }),
+            None => Err(Nothing(proven.unwrap_or(Cell::Empty))),
+        }
+    }
+}
+
+fn nearness(cube: &Cube) -> f64 {
+    -cube.nearest_point().length()
+}
+
+/// The middle of points that are about equally near to the origin, if they are close together; else the first.
+fn middle_of_nearest(found: &[DVec3]) -> Option<DVec3> {
+    let first = *found.first()?;
+    let middle = found.iter().sum::<DVec3>() / found.len() as f64;
+    let center = if (middle - first).length() < ENDLESS_RADIUS / 2.0 { middle } else { first };
+    let grid = 8.0 * NEAREST_WIDTH;
+    Some((center / grid).round() * grid + 0.0)
+}
+
+/// The largest key of a box that may hold a surface, found to `width`; `None` if no box can.
+fn extreme(classify: Classify, within: Cube, width: f64, cells: u32, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
+    let mut queue = BinaryHeap::from([Ranked::new(within, key)]);
+    let mut cells_left = cells;
+    while let Some(Ranked { key: found, cube }) = queue.pop() {
+        if cells_left == 0 {
+            return Some(found);
+        }
+        cells_left -= 1;
+        if classify(cube.min, cube.max) == Cell::Possible {
+            if cube.width() <= width {
+                return Some(found);
+            }
+            queue.extend(cube.children().map(|child| Ranked::new(child, key)));
+        }
+    }
+    None
+}
+
+/// A box with its place in a queue: the largest key first, of equal keys the smallest box, then by place.
+struct Ranked {
+    key: f64,
+    cube: Cube,
+}
+
+impl Ranked {
+    fn new(cube: Cube, key: &dyn Fn(&Cube) -> f64) -> Self {
+        Ranked { key: key(&cube), cube }
+    }
+
+    fn rank(&self) -> [f64; 5] {
+        [self.key, -self.cube.width(), self.cube.min.x, self.cube.min.y, self.cube.min.z]
+    }
+}
+
+impl Ord for Ranked {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let pairs = self.rank().into_iter().zip(other.rank());
+        pairs.map(|(a, b)| a.total_cmp(&b)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
+    }
+}
+
+impl PartialOrd for Ranked {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Ranked {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Ranked {}
+
+/// The nearest number of three decimal digits, so that what is printed can be typed.
+fn round_to_three_digits(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap_or(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Classifies boxes against the sphere around `center`, exactly.
+    fn sphere(center: DVec3, radius: f64) -> impl Fn(DVec3, DVec3) -> Cell {
+        move |min, max| {
+            let cube = Cube { min: min - center, max: max - center };
+            if cube.nearest_point().length() > radius {
+                Cell::Positive
+            } else if cube.farthest(DVec3::ZERO) < radius {
+                Cell::Negative
+            } else {
+                Cell::Possible
+            }
+        }
+    }
+
+    #[test]
+    fn spheres_are_framed_with_a_small_margin() {
+        let rows = [
+            (DVec3::ZERO, 1.0),
+            (DVec3::ZERO, 1e-6),
+            (DVec3::ZERO, 1e4),
+            (DVec3::new(50.0, 0.0, 0.0), 1e-3),
+            (DVec3::new(-3.0, 7.0, 11.0), 2.0),
+        ];
+        for (center, radius) in rows {
+            let framing = find(&sphere(center, radius)).unwrap();
+            assert!(framing.is_all);
+            assert!((framing.center - center).length() < 0.03 * radius, "{framing:?}");
+            assert!(framing.radius > 1.02 * radius && framing.radius < 1.12 * radius, "{framing:?}");
+        }
+    }
+
+    #[test]
+    fn endless_surfaces_are_framed_around_their_nearest_point() {
+        let plane = |height: f64| {
+            move |min: DVec3, max: DVec3| match () {
+                () if min.z > height => Cell::Positive,
+                () if max.z < height => Cell::Negative,
+                () => Cell::Possible,
+            }
+        };
+        for height in [0.0, 1.0, -40.0, 1000.0] {
+            let framing = find(&plane(height)).unwrap();
+            assert_eq!(framing, Framing { center: DVec3::Z * height, radius: 6.0, is_all: false });
+        }
+    }
+
+    #[test]
+    fn a_tube_around_an_axis_is_framed_from_its_middle() {
+        let tube = |min: DVec3, max: DVec3| {
+            let cube = Cube { min: min.with_z(0.0), max: max.with_z(0.0) };
+            let inside = cube.nearest_point().length() <= 1.0 && cube.farthest(DVec3::ZERO) >= 1.0;
+            if inside { Cell::Possible } else { Cell::Empty }
+        };
+        assert_eq!(find(&tube).unwrap(), Framing { center: DVec3::ZERO, radius: 6.0, is_all: false });
+    }
+
+    #[test]
+    fn nothing_is_said_with_what_is_proven() {
+        for cell in [Cell::Positive, Cell::Negative, Cell::Undefined, Cell::Empty] {
+            assert_eq!(find(&|_, _| cell), Err(Nothing(cell)));
+        }
+        let both = |min: DVec3, _: DVec3| if min.x >= 0.0 { Cell::Positive } else { Cell::Empty };
+        assert_eq!(find(&both), Err(Nothing(Cell::Empty)));
+    }
+
+    #[test]
+    fn reach_is_the_farthest_point_in_the_box() {
+        let found = reach(&sphere(DVec3::X, 1.0), DVec3::splat(-4.0), DVec3::splat(4.0), DVec3::ZERO);
+        assert!((2.0..2.1).contains(&found), "{found}");
+        assert_eq!(reach(&|_, _| Cell::Empty, DVec3::ZERO, DVec3::ONE, DVec3::ZERO), 0.0);
+    }
+}

@@ -1,0 +1,327 @@
+//! Formulas to what is drawn: surfaces with their clips, a camera, settings.
+//!
+//! In: a program without errors and the wishes of the command line, which win over it. Out: a [`Plan`], or why there
+//! is none. Here what was left open is found: the region, the eye, the colours.
+
+use super::program::Program;
+use crate::closure::Formula;
+use crate::diag::Diagnostic;
+use crate::expr::lower::{Clip as WrittenClip, ClipShape, Color, Kind as WrittenKind, SurfaceFormula};
+use crate::film::Size;
+use crate::num::interval::{Defined, Interval};
+use crate::num::level::Simd;
+use crate::render::{Drawing, Failure, Mode, Settings, Watch};
+use crate::scene::framing::{self, Cell, MAX_POWER};
+use crate::scene::{Framing, Scene, Sides, View, colour};
+use crate::surface::{self, Clip, Shape, Surface, Tracer};
+use glam::DVec3;
+
+/// The march's step, as a share of the region's diameter, where none is asked for.
+const MARCH_SHARE: f64 = 1.0 / 256.0;
+
+/// How far outside a bounded surface its sign is read, in radii: anywhere outside has the same.
+const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
+
+/// How roots are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Method {
+    /// None is missed.
+    #[default]
+    Faithful,
+    /// Steps of this length, or of a share of the region.
+    March(Option<f64>),
+}
+
+/// What is asked for besides the program; `None` and empty leave it to the program.
+#[derive(Clone, Debug, Default)]
+pub struct Wishes {
+    /// Pixels.
+    pub size: Option<Size>,
+    /// What the colours say.
+    pub mode: Option<Mode>,
+    /// The most samples a pixel.
+    pub samples: Option<u32>,
+    /// The camera.
+    pub view: View,
+    /// What is seen of everything: all of these; replaces the program's.
+    pub clip: Vec<Shape>,
+    /// How roots are found.
+    pub method: Method,
+    /// Threads, at least 1.
+    pub threads: usize,
+    /// Whether distances are kept.
+    pub keep_depth: bool,
+    /// Whether normals are kept.
+    pub keep_normals: bool,
+    /// Which instructions are used.
+    pub simd: Simd,
+}
+
+/// What is drawn.
+pub struct Plan {
+    /// The surfaces with their clips.
+    pub surfaces: Vec<Surface>,
+    /// Camera and colours.
+    pub scene: Scene,
+    /// Pixels, mode, threads.
+    pub settings: Settings,
+    /// How roots are found.
+    pub method: surface::Method,
+    /// What is seen of everything.
+    pub region: Vec<Shape>,
+    /// The region, if it was found because none was given.
+    pub found: Option<Framing>,
+}
+
+/// Why nothing can be drawn.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// Something in the program.
+    Program(Vec<Diagnostic>),
+    /// There is no surface; the words say what is proven instead.
+    NothingToSee(String),
+    /// The wishes contradict each other.
+    Wishes(String),
+}
+
+impl Plan {
+    /// Plans the drawing of a program without errors.
+    ///
+    /// # Errors
+    /// If there is nothing to draw, or no camera sees it.
+    pub fn new(program: &mut Program, wishes: &Wishes) -> Result<Plan, Refusal> {
+        if !program.lowered.nothing_to_draw.is_empty() {
+            return Err(Refusal::Program(program.lowered.nothing_to_draw.clone()));
+        }
+        let settings = settings(program, wishes)?;
+        let mut objects = objects(program, wishes);
+        let mut region = wishes.clip.clone();
+        let is_bounded = |o: &Object| !o.clip.shapes.is_empty();
+        let mut found = None;
+        if region.is_empty() {
+            region = shared_shapes(program);
+        }
+        if region.is_empty() {
+            let framing = framing::find(&|min, max| classify_all(&objects, min, max)).map_err(nothing_to_see)?;
+            if !objects.iter().all(is_bounded) {
+                found = Some(framing);
+                objects.iter_mut().for_each(|o| o.clip.shapes.push(framing.shape()));
+            }
+            region = vec![framing.shape()];
+        }
+        let scene = scene(program, wishes, &objects, &region, found, settings.size)?;
+        let graph = &mut program.lowered.graph;
+        let surfaces: Vec<Surface> = objects
+            .iter()
+            .map(|o| Surface::new(graph, o.formula.f, kind_of(&o.formula), &o.clip, wishes.simd))
+            .collect();
+        let method = match wishes.method {
+            Method::Faithful => surface::Method::Faithful,
+            Method::March(Some(step)) => surface::Method::March { step },
+            Method::March(None) => surface::Method::March { step: smallest(&region).size() * 2.0 * MARCH_SHARE },
+        };
+        Ok(Plan { surfaces, scene, settings, method, region, found })
+    }
+
+    /// Draws it.
+    ///
+    /// # Errors
+    /// If the watch cancels.
+    pub fn draw(&self, watch: &dyn Watch) -> Result<Drawing, Failure> {
+        crate::render::draw(&self.scene, &self.settings, &|| Tracer::new(&self.surfaces, self.method), watch)
+    }
+}
+
+/// A surface on its way: its formula, its clip, and what decides whether it can be in a box.
+struct Object {
+    formula: SurfaceFormula,
+    clip: Clip,
+    f: Formula,
+    fields: Vec<Formula>,
+}
+
+fn objects(program: &mut Program, wishes: &Wishes) -> Vec<Object> {
+    let shared = program.lowered.render.as_ref().and_then(|render| render.clip).filter(|_| wishes.clip.is_empty());
+    let formulas = program.lowered.surfaces.clone();
+    let graph = &mut program.lowered.graph;
+    let mut objects = Vec::new();
+    for formula in formulas {
+        let mut clip = Clip { shapes: wishes.clip.clone(), fields: Vec::new() };
+        for written in [shared, formula.clip].into_iter().flatten() {
+            match shape_of(&written) {
+                Ok(shape) => clip.shapes.push(shape),
+                Err(field) => clip.fields.push(field),
+            }
+        }
+        let f = Formula::new(graph, formula.f, wishes.simd);
+        let fields = clip.fields.iter().map(|&field| Formula::new(graph, field, wishes.simd)).collect();
+        objects.push(Object { formula, clip, f, fields });
+    }
+    objects
+}
+
+/// The shape of a clip as written, or the function that is negative inside.
+fn shape_of(written: &WrittenClip) -> Result<Shape, crate::expr::graph::NodeId> {
+    match written.shape {
+        ClipShape::Box { low, high } => Ok(Shape::Box { min: low.into(), max: high.into() }),
+        ClipShape::Ball { centre, radius } => Ok(Shape::Ball { center: centre.into(), radius }),
+        ClipShape::Region(field) => Err(field),
+    }
+}
+
+/// The shape of the program's own clip of everything.
+fn shared_shapes(program: &Program) -> Vec<Shape> {
+    let clip = program.lowered.render.as_ref().and_then(|render| render.clip);
+    clip.and_then(|clip| shape_of(&clip).ok()).into_iter().collect()
+}
+
+fn kind_of(formula: &SurfaceFormula) -> surface::Kind {
+    match formula.kind {
+        WrittenKind::Solid => surface::Kind::Solid,
+        WrittenKind::Equation | WrittenKind::Number => surface::Kind::Equation,
+    }
+}
+
+fn smallest(region: &[Shape]) -> Shape {
+    let smaller = |a: Shape, b: Shape| if b.size() < a.size() { b } else { a };
+    region.iter().copied().reduce(smaller).unwrap_or(Shape::Ball { center: DVec3::ZERO, radius: 1.0 })
+}
+
+fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
+    let block = program.lowered.render.as_ref();
+    let refuse = |message: String| {
+        let span = block.map(|render| render.span).unwrap_or_default();
+        Refusal::Program(vec![Diagnostic::error(span, message)])
+    };
+    let size = match (wishes.size, block.and_then(|render| render.size)) {
+        (Some(size), _) => size,
+        (None, Some((w, h))) => Size::new(w.into(), h.into()).map_err(|e| refuse(e.to_string()))?,
+        (None, None) => Size::default(),
+    };
+    let mode = match (wishes.mode, block.and_then(|render| render.mode.as_ref())) {
+        (Some(mode), _) => mode,
+        (None, Some(written)) => Mode::from_name(&written.name).ok_or_else(|| unknown_mode(written))?,
+        (None, None) => Mode::default(),
+    };
+    let samples = wishes.samples.or(block.and_then(|render| render.samples)).unwrap_or_else(|| mode.default_samples());
+    let threads = wishes.threads.max(1);
+    Ok(Settings { size, mode, samples, threads, keep_depth: wishes.keep_depth, keep_normals: wishes.keep_normals })
+}
+
+fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {
+    let names: Vec<&str> = Mode::ALL.iter().map(|(name, _)| *name).collect();
+    let name = crate::diag::printable(&written.name, 40);
+    let diagnostic = Diagnostic::error(written.span, format!("there is no mode '{name}'"))
+        .help(format!("there are {}", names.join(", ")));
+    Refusal::Program(vec![diagnostic])
+}
+
+fn scene(
+    program: &Program,
+    wishes: &Wishes,
+    objects: &[Object],
+    region: &[Shape],
+    found: Option<Framing>,
+    size: Size,
+) -> Result<Scene, Refusal> {
+    let block = program.lowered.camera;
+    let file = View {
+        eye: block.and_then(|camera| camera.eye).map(DVec3::from),
+        look_at: block.and_then(|camera| camera.look_at).map(DVec3::from),
+        fov: block.and_then(|camera| camera.fov),
+        ..View::default()
+    };
+    let view = wishes.view.or(file);
+    let shape = smallest(region);
+    let look_at = view.look_at.unwrap_or_else(|| shape.center());
+    let mut radius = shape.size() + (look_at - shape.center()).length();
+    if found.is_none() && view.needs_reach() {
+        let (min, max) = bounds(&shape);
+        let reach = framing::reach(&|min, max| classify_all(objects, min, max), min, max, look_at);
+        radius = if reach > 0.0 { radius.min(reach * MARGIN) } else { radius };
+    }
+    let aspect = f64::from(size.width()) / f64::from(size.height());
+    let camera = view.camera(look_at, radius, aspect).map_err(|error| match block {
+        Some(block) if wishes.view == View::default() => {
+            Refusal::Program(vec![Diagnostic::error(block.span, error.to_string())])
+        }
+        _ => Refusal::Wishes(error.to_string()),
+    })?;
+    let count = objects.len();
+    let sides = objects.iter().enumerate().map(|(index, object)| sides(object, index, count, found)).collect();
+    Ok(Scene { camera, sides, center: look_at, radius })
+}
+
+/// The margin around what a clip leaves to be seen.
+const MARGIN: f64 = 1.03;
+
+fn bounds(shape: &Shape) -> (DVec3, DVec3) {
+    match *shape {
+        Shape::Box { min, max } => (min, max),
+        Shape::Ball { center, radius } => (center - DVec3::splat(radius), center + DVec3::splat(radius)),
+    }
+}
+
+/// The colours of a surface: its front is its outside, which for all that is framed whole is the far side.
+fn sides(object: &Object, index: usize, count: usize, found: Option<Framing>) -> Sides {
+    let sides = match object.formula.color {
+        Some(Color::Srgb(bytes)) => Sides::of(colour::from_bytes(bytes)),
+        Some(Color::Linear(rgb)) => Sides::of(rgb.into()),
+        None => Sides::by_default(index, count),
+    };
+    let is_negative_outside = found
+        .filter(|framing| framing.is_all)
+        .is_some_and(|framing| object.f.value(framing.center + OUTSIDE * framing.radius) < 0.0);
+    if is_negative_outside { Sides { front: sides.back, back: sides.front } } else { sides }
+}
+
+/// What is proven of a box for all surfaces.
+fn classify_all(objects: &[Object], min: DVec3, max: DVec3) -> Cell {
+    let mut all = None;
+    for object in objects {
+        match (classify(object, min, max), all) {
+            (Cell::Possible, _) => return Cell::Possible,
+            (cell, None) => all = Some(cell),
+            (cell, Some(before)) if cell != before => all = Some(Cell::Empty),
+            _ => {}
+        }
+    }
+    all.unwrap_or(Cell::Empty)
+}
+
+fn classify(object: &Object, min: DVec3, max: DVec3) -> Cell {
+    if object.clip.shapes.iter().any(|shape| is_apart(shape, min, max)) {
+        return Cell::Empty;
+    }
+    let cell = [0, 1, 2].map(|axis| Interval { lo: min[axis], hi: max[axis] });
+    if object.fields.iter().any(|field| field.enclosure(cell).range.lo > 0.0) {
+        return Cell::Empty;
+    }
+    let enclosure = object.f.enclosure(cell);
+    match enclosure.defined {
+        Defined::Nowhere => Cell::Undefined,
+        _ if enclosure.range.lo > 0.0 => Cell::Positive,
+        _ if enclosure.range.hi < 0.0 => Cell::Negative,
+        Defined::Everywhere | Defined::Somewhere => Cell::Possible,
+    }
+}
+
+/// Whether a shape and a box have no point in common.
+fn is_apart(shape: &Shape, min: DVec3, max: DVec3) -> bool {
+    match *shape {
+        Shape::Box { min: low, max: high } => low.cmpgt(max).any() || high.cmplt(min).any(),
+        Shape::Ball { center, radius } => center.clamp(min, max).distance(center) > radius,
+    }
+}
+
+fn nothing_to_see(nothing: framing::Nothing) -> Refusal {
+    let what = match nothing.0 {
+        Cell::Positive => "f > 0 everywhere",
+        Cell::Negative => "f < 0 everywhere",
+        Cell::Undefined => "f has no value anywhere",
+        Cell::Empty | Cell::Possible => "no surface is anywhere",
+    };
+    let bound = 1u32 << MAX_POWER;
+    Refusal::NothingToSee(format!("there is nothing to see: {what} within |x|, |y|, |z| <= {bound}"))
+}

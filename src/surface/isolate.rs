@@ -1,0 +1,235 @@
+//! The faithful method: where no root is, proven for 16 rays at once.
+//!
+//! In: rays with the part of each that is still open. Out: brackets on which g is monotone, for
+//! [`super::refine`]; rays proven empty; and rays that need [`super::careful`].
+//!
+//! A lane holds one ray and walks it from the front. Over its current slab [a, b] it encloses g and g'.
+//! - 0 is not in g, or g has no value there: nothing is there. Go on behind it with twice the length.
+//! - 0 is not in g': at most one root. Hand the slab over.
+//! - Neither: try the first half.
+//!
+//! What a lane decides is computed for all lanes without a branch; only a lane that is finished is looked at
+//! by itself.
+
+use super::hit::Ray;
+use super::sheet::{CELLS, Cells, Sheet};
+use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
+use crate::num::level::{Level, Simd, for_each_level};
+
+/// A slab shorter than this part of the ray's scale is hard: left to the careful method. At that length
+/// a transversal root has long been told apart; what is left has a vanishing slope, or is no root at all.
+const SHORTEST: f64 = 1e-5;
+
+/// A ray may take this many slabs before it is handed to the careful method, which counts its own.
+const MOST_SLABS: u32 = 400;
+
+/// The part of a ray that is still open.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Open {
+    /// Which ray of the batch.
+    pub(crate) ray: u32,
+    /// Everything in front of this is settled.
+    pub(crate) a: f64,
+    /// The end.
+    pub(crate) end: f64,
+    /// How far to reach first.
+    pub(crate) step: f64,
+    /// How many slabs it has taken.
+    pub(crate) slabs: u32,
+}
+
+/// A slab on which g is defined, continuous and strictly monotone.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bracket {
+    /// The ray it is on, open from the slab's start.
+    pub(crate) open: Open,
+    /// The slab's end.
+    pub(crate) b: f64,
+}
+
+/// What became of the rays.
+#[derive(Debug, Default)]
+pub(crate) struct Found {
+    /// To be refined.
+    pub(crate) brackets: Vec<Bracket>,
+    /// To be looked at one by one.
+    pub(crate) hard: Vec<Open>,
+    /// Proven empty to their ends: ray and slabs taken.
+    pub(crate) empty: Vec<(u32, u32)>,
+    /// Slabs enclosed.
+    pub(crate) cells: u64,
+}
+
+/// The rays of 16 lanes, a number of each in an array.
+#[derive(Clone, Debug)]
+pub(crate) struct Pool {
+    origin: [[f64; CELLS]; 3],
+    direction: [[f64; CELLS]; 3],
+    a: [f64; CELLS],
+    b: [f64; CELLS],
+    end: [f64; CELLS],
+    step: [f64; CELLS],
+    shortest: [f64; CELLS],
+    slabs: [u32; CELLS],
+    ray: [u32; CELLS],
+    verdict: [Verdict; CELLS],
+}
+
+/// What a lane says after a slab.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+enum Verdict {
+    Idle,
+    Open,
+    Empty,
+    Monotone,
+    Hard,
+}
+
+impl Default for Pool {
+    fn default() -> Self {
+        let zero = [0.0; CELLS];
+        Pool {
+            origin: [zero; 3],
+            direction: [zero; 3],
+            a: zero,
+            b: zero,
+            end: zero,
+            step: zero,
+            shortest: zero,
+            slabs: [0; CELLS],
+            ray: [0; CELLS],
+            verdict: [Verdict::Idle; CELLS],
+        }
+    }
+}
+
+impl Pool {
+    /// Walks all open rays until each is settled, bracketed or found hard.
+    pub(crate) fn run(
+        &mut self,
+        simd: Simd,
+        sheet: &Sheet,
+        cells: &mut [Cells],
+        rays: &[Ray],
+        size: f64,
+        open: &mut Vec<Open>,
+        found: &mut Found,
+    ) {
+        self.verdict = [Verdict::Idle; CELLS];
+        let mut active = 0;
+        loop {
+            for lane in 0..CELLS {
+                if self.verdict[lane] != Verdict::Open {
+                    active -= usize::from(self.retire(lane, found));
+                    if let Some(next) = open.pop() {
+                        self.fill(lane, next, &rays[next.ray as usize], size);
+                        active += 1;
+                    }
+                }
+            }
+            if active == 0 {
+                return;
+            }
+            place(simd, &self.origin, &self.direction, &self.a, &self.b, cells);
+            sheet.slope.run(cells);
+            decide(simd, self, sheet.slope.output(cells, 0), sheet.slope.output(cells, 1));
+            found.cells += active as u64;
+        }
+    }
+
+    fn fill(&mut self, lane: usize, open: Open, ray: &Ray, size: f64) {
+        for axis in 0..3 {
+            self.origin[axis][lane] = ray.origin[axis];
+            self.direction[axis][lane] = ray.direction[axis];
+        }
+        self.a[lane] = open.a;
+        self.b[lane] = (open.a + open.step).min(open.end);
+        self.end[lane] = open.end;
+        self.step[lane] = self.b[lane] - open.a;
+        self.shortest[lane] = SHORTEST * size.max(open.a);
+        self.slabs[lane] = open.slabs;
+        self.ray[lane] = open.ray;
+        self.verdict[lane] = Verdict::Open;
+    }
+
+    /// Empties a lane that is no longer open and files its ray; false if it held none.
+    fn retire(&mut self, lane: usize, found: &mut Found) -> bool {
+        let open = Open {
+            ray: self.ray[lane],
+            a: self.a[lane],
+            end: self.end[lane],
+            step: self.step[lane],
+            slabs: self.slabs[lane],
+        };
+        match std::mem::replace(&mut self.verdict[lane], Verdict::Idle) {
+            Verdict::Idle | Verdict::Open => return false,
+            Verdict::Empty => found.empty.push((open.ray, open.slabs)),
+            Verdict::Monotone => found.brackets.push(Bracket { open, b: self.b[lane] }),
+            Verdict::Hard => found.hard.push(open),
+        }
+        true
+    }
+}
+
+for_each_level! {
+    /// Encloses the points of slab [a, b] of each lane's ray in the registers of the variables.
+    ///
+    /// The direction's components, as components of a line through the origin, are known to 5 units of
+    /// rounding (two fused products, one division), its product with t and the sum to one more each; 2^-50·t +
+    /// 2^-52·|origin| covers them all.
+    pub(crate) fn place[L](
+        origin: &[[f64; CELLS]; 3], direction: &[[f64; CELLS]; 3], a: &[f64; CELLS], b: &[f64; CELLS], cells: &mut [Cells],
+    ) {
+        const PER_DISTANCE: f64 = 1.0 / (1u64 << 50) as f64;
+        const PER_ORIGIN: f64 = 1.0 / (1u64 << 52) as f64;
+        for axis in 0..3 {
+            let (o, d) = (&origin[axis], &direction[axis]);
+            let cell = &mut cells[axis];
+            for i in 0..CELLS {
+                let error = L::fma(b[i], PER_DISTANCE, o[i].abs() * PER_ORIGIN);
+                let (p, q) = (L::fma(a[i], d[i], o[i]), L::fma(b[i], d[i], o[i]));
+                cell.lo[i] = p.min(q) - error;
+                cell.hi[i] = p.max(q) + error;
+            }
+            cell.flags = [0; CELLS];
+            let cell = &mut cells[axis + 3];
+            for i in 0..CELLS {
+                cell.lo[i] = d[i] - PER_DISTANCE;
+                cell.hi[i] = d[i] + PER_DISTANCE;
+            }
+            cell.flags = [0; CELLS];
+        }
+    }
+}
+
+for_each_level! {
+    /// What each lane does next, from the enclosures of g and g' over its slab.
+    fn decide[L](pool: &mut Pool, g: &Cells, slope: &Cells) {
+        for i in 0..CELLS {
+            let empty = (g.lo[i] > 0.0) | (g.hi[i] < 0.0) | (g.flags[i] & NOWHERE != 0);
+            let known = (g.flags[i] & (PARTIAL | JUMP)) | (slope.flags[i] & PARTIAL) == 0;
+            let monotone = known & ((slope.lo[i] > 0.0) | (slope.hi[i] < 0.0));
+            let (a, b, end, step) = (pool.a[i], pool.b[i], pool.end[i], pool.step[i]);
+            let next_a = if empty { b } else { a };
+            let next_step = if empty { 2.0 * step } else { 0.5 * step };
+            let through = empty & (b >= end);
+            let hard = !empty & (next_step < pool.shortest[i]) | (pool.slabs[i] >= MOST_SLABS);
+            let keep = monotone & !empty;
+            let verdict = if through {
+                Verdict::Empty
+            } else if keep {
+                Verdict::Monotone
+            } else if hard {
+                Verdict::Hard
+            } else {
+                Verdict::Open
+            };
+            pool.slabs[i] += 1;
+            pool.a[i] = next_a;
+            pool.step[i] = if keep { step } else { next_step };
+            pool.b[i] = if keep { b } else { (next_a + next_step).min(end) };
+            pool.verdict[i] = if pool.verdict[i] == Verdict::Idle { Verdict::Idle } else { verdict };
+        }
+    }
+}

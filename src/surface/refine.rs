@@ -1,0 +1,274 @@
+//! Newton's method inside a bracket, and the certificate of its result.
+//!
+//! In: slabs on which g is strictly monotone. Out: roots, each with a proof that g changes sign within
+//! [`WIDTH`] of it; slabs proven to hold no root; and what could not be proven, for [`super::careful`].
+//!
+//! Newton runs on points, 64 rays at once: it may be wrong and nobody is harmed. The proof is two enclosures of
+//! g at single points, in front of the root and behind it: g is monotone, so opposite signs there mean
+//! exactly one root between them and none elsewhere in the slab, and equal signs at both ends mean none at all.
+
+use super::hit::Ray;
+use super::isolate::{Bracket, place};
+use super::sheet::{CELLS, Cells, POINTS, Points, Sheet};
+use crate::num::level::{Level, Simd, for_each_level};
+use glam::DVec3;
+
+/// Half the width of a certified bracket, as a part of the ray's scale (the larger of the distance and the
+/// region's size): the bracket is a fifth of the 1e-9 that is promised.
+pub(crate) const WIDTH: f64 = 1e-10;
+
+/// Newton's steps end when one is shorter than this part of the scale: the next would be its square.
+const CONVERGED: f64 = 1e-8;
+
+/// Steps after which a bracket is left to the careful method; bisection alone would need 27.
+const MOST_STEPS: usize = 40;
+
+/// What became of a bracket.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Refined {
+    /// One root, proven within `width` of t; the gradient of g there.
+    Root {
+        /// The slab.
+        bracket: Bracket,
+        /// The root.
+        t: f64,
+        /// How far it can be from the true one.
+        width: f64,
+        /// The gradient of g at the root.
+        gradient: DVec3,
+    },
+    /// Proven: no root in the slab.
+    Nothing(Bracket),
+    /// Neither could be proven.
+    Unclear(Bracket),
+}
+
+/// The rays of one batch, a number of each in an array.
+#[derive(Clone, Debug)]
+pub(crate) struct Batch {
+    origin: [[f64; POINTS]; 3],
+    direction: [[f64; POINTS]; 3],
+    /// Where g was seen with the sign it has at the slab's start.
+    a: [f64; POINTS],
+    /// Where it was seen with the other.
+    b: [f64; POINTS],
+    t: [f64; POINTS],
+    /// g at a, then the sign there.
+    front: [f64; POINTS],
+    behind: [f64; POINTS],
+    moved: [f64; POINTS],
+    gradient: [[f64; POINTS]; 3],
+}
+
+impl Default for Batch {
+    fn default() -> Self {
+        let zero = [0.0; POINTS];
+        Batch {
+            origin: [zero; 3],
+            direction: [zero; 3],
+            a: zero,
+            b: zero,
+            t: zero,
+            front: zero,
+            behind: zero,
+            moved: zero,
+            gradient: [zero; 3],
+        }
+    }
+}
+
+/// What was computed.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Work {
+    pub(crate) points: u64,
+    pub(crate) gradients: u64,
+    pub(crate) cells: u64,
+}
+
+/// The register files that refining runs on.
+pub(crate) struct Files<'a> {
+    pub(crate) point: &'a mut [Points],
+    pub(crate) gradient: &'a mut [Points],
+    pub(crate) cells: &'a mut [Cells],
+}
+
+impl Batch {
+    /// Refines at most [`POINTS`] brackets.
+    pub(crate) fn run(
+        &mut self,
+        simd: Simd,
+        sheet: &Sheet,
+        files: &mut Files,
+        rays: &[Ray],
+        size: f64,
+        brackets: &[Bracket],
+        out: &mut Vec<Refined>,
+    ) -> Work {
+        let n = brackets.len().min(POINTS);
+        let mut work = Work::default();
+        self.load(&brackets[..n], rays);
+        self.ends(simd, sheet, files);
+        work.points += 2 * n as u64;
+        work.gradients += self.newton(simd, sheet, files, n, brackets, size);
+        for first in (0..n).step_by(CELLS) {
+            let last = (first + CELLS).min(n);
+            self.certify(simd, sheet, files, size, first, &brackets[first..last], out);
+            work.cells += 2 * (last - first) as u64;
+        }
+        work
+    }
+
+    fn load(&mut self, brackets: &[Bracket], rays: &[Ray]) {
+        for i in 0..POINTS {
+            let bracket = &brackets[i.min(brackets.len() - 1)];
+            let ray = &rays[bracket.open.ray as usize];
+            for axis in 0..3 {
+                self.origin[axis][i] = ray.origin[axis];
+                self.direction[axis][i] = ray.direction[axis];
+            }
+            (self.a[i], self.b[i]) = (bracket.open.a, bracket.b);
+        }
+    }
+
+    /// g at both ends, and where the chord between them crosses zero.
+    fn ends(&mut self, simd: Simd, sheet: &Sheet, files: &mut Files) {
+        points_at(simd, &self.origin, &self.direction, &self.a, files.point);
+        sheet.point.run(files.point);
+        self.front = sheet.point.output(files.point, 0).0;
+        points_at(simd, &self.origin, &self.direction, &self.b, files.point);
+        sheet.point.run(files.point);
+        self.behind = sheet.point.output(files.point, 0).0;
+        for i in 0..POINTS {
+            let (a, b, f, g) = (self.a[i], self.b[i], self.front[i], self.behind[i]);
+            let t = a - f * (b - a) / (g - f);
+            self.t[i] = if t > a && t < b { t } else { 0.5 * (a + b) };
+        }
+    }
+
+    /// Whether the values at the ends say that there is a root. They are not proven; the certificate is.
+    fn crosses(&self, i: usize) -> bool {
+        (self.front[i] < 0.0) != (self.behind[i] < 0.0)
+    }
+
+    /// Newton's method for all brackets with a root, each kept inside its bracket.
+    fn newton(
+        &mut self,
+        simd: Simd,
+        sheet: &Sheet,
+        files: &mut Files,
+        n: usize,
+        brackets: &[Bracket],
+        size: f64,
+    ) -> u64 {
+        let mut open: Vec<usize> = (0..n).filter(|&i| self.crosses(i)).collect();
+        let mut evaluations = 0;
+        for _ in 0..MOST_STEPS {
+            if open.is_empty() {
+                break;
+            }
+            points_at(simd, &self.origin, &self.direction, &self.t, files.gradient);
+            sheet.gradient.run(files.gradient);
+            evaluations += open.len() as u64;
+            let values: [&Points; 4] = std::array::from_fn(|k| sheet.gradient.output(files.gradient, k));
+            self.step(&open, values);
+            open.retain(|&i| !(self.moved[i] <= CONVERGED * size.max(brackets[i].open.a)));
+        }
+        evaluations
+    }
+
+    /// One step of the brackets still open.
+    fn step(&mut self, open: &[usize], [g, gx, gy, gz]: [&Points; 4]) {
+        for &i in open {
+            let [dx, dy, dz] = [0, 1, 2].map(|axis: usize| self.direction[axis][i]);
+            let value = g.0[i];
+            let slope = gx.0[i] * dx + gy.0[i] * dy + gz.0[i] * dz;
+            let t = self.t[i];
+            if (value < 0.0) == (self.front[i] < 0.0) {
+                self.a[i] = t;
+            } else {
+                self.b[i] = t;
+            }
+            let newton = t - value / slope;
+            let next = if newton >= self.a[i] && newton <= self.b[i] { newton } else { 0.5 * (self.a[i] + self.b[i]) };
+            self.moved[i] = (next - t).abs();
+            self.t[i] = next;
+            for (axis, component) in [gx, gy, gz].into_iter().enumerate() {
+                self.gradient[axis][i] = component.0[i];
+            }
+        }
+    }
+
+    /// Proves what Newton found, for at most [`CELLS`] brackets.
+    fn certify(
+        &self,
+        simd: Simd,
+        sheet: &Sheet,
+        files: &mut Files,
+        size: f64,
+        first: usize,
+        brackets: &[Bracket],
+        out: &mut Vec<Refined>,
+    ) {
+        let mut origin = [[0.0; CELLS]; 3];
+        let mut direction = [[0.0; CELLS]; 3];
+        let (mut front, mut behind) = ([0.0; CELLS], [0.0; CELLS]);
+        for (k, bracket) in brackets.iter().enumerate() {
+            let i = first + k;
+            for axis in 0..3 {
+                origin[axis][k] = self.origin[axis][i];
+                direction[axis][k] = self.direction[axis][i];
+            }
+            let width = WIDTH * size.max(self.t[i]);
+            (front[k], behind[k]) = if self.crosses(i) {
+                ((self.t[i] - width).max(bracket.open.a), (self.t[i] + width).min(bracket.b))
+            } else {
+                (bracket.open.a, bracket.b)
+            };
+        }
+        let in_front = signs_at(simd, sheet, files.cells, &origin, &direction, &front);
+        let after = signs_at(simd, sheet, files.cells, &origin, &direction, &behind);
+        for (k, &bracket) in brackets.iter().enumerate() {
+            let (i, product) = (first + k, in_front[k] * after[k]);
+            out.push(match (self.crosses(i), product) {
+                (true, -1) => Refined::Root {
+                    bracket,
+                    t: self.t[i],
+                    width: WIDTH * size.max(self.t[i]),
+                    gradient: DVec3::new(self.gradient[0][i], self.gradient[1][i], self.gradient[2][i]),
+                },
+                (false, 1) => Refined::Nothing(bracket),
+                _ => Refined::Unclear(bracket),
+            });
+        }
+    }
+}
+
+/// The proven sign of g at one distance on each ray: −1, 1, or 0 when it is not proven.
+fn signs_at(
+    simd: Simd,
+    sheet: &Sheet,
+    cells: &mut [Cells],
+    origin: &[[f64; CELLS]; 3],
+    direction: &[[f64; CELLS]; 3],
+    t: &[f64; CELLS],
+) -> [i8; CELLS] {
+    place(simd, origin, direction, t, t, cells);
+    sheet.value.run(cells);
+    let g = sheet.value.output(cells, 0);
+    std::array::from_fn(|i| i8::from(g.lo[i] > 0.0) - i8::from(g.hi[i] < 0.0))
+}
+
+for_each_level! {
+    /// Puts the points at distance t on each ray into the registers of the coordinates.
+    pub(crate) fn points_at[L](
+        origin: &[[f64; POINTS]; 3], direction: &[[f64; POINTS]; 3], t: &[f64; POINTS], points: &mut [Points],
+    ) {
+        for axis in 0..3 {
+            let (o, d) = (&origin[axis], &direction[axis]);
+            let point = &mut points[axis].0;
+            for i in 0..POINTS {
+                point[i] = L::fma(t[i], d[i], o[i]);
+            }
+        }
+    }
+}

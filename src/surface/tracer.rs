@@ -1,0 +1,294 @@
+//! Rays in, hits out: the one door to both methods.
+//!
+//! In: surfaces and a batch of rays. Out: for each ray the first root of any surface. A [`Tracer`] belongs to
+//! one thread and keeps its working memory between batches; the more rays a batch has, the fuller its lanes.
+
+use super::careful::{Careful, End};
+use super::hit::{Counts, Hit, Outcome, Ray};
+use super::isolate::{Found, Open, Pool};
+use super::march::Marcher;
+use super::refine::{Batch, Files, Refined, points_at};
+use super::sheet::{Cells, POINTS, Points, Sheet, Surface};
+use crate::closure::pieces::Scratch;
+use glam::DVec3;
+
+/// How roots are looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// By proof: no root is missed.
+    Faithful,
+    /// By samples at multiples of a step: what changes sign between two of them is found.
+    March {
+        /// The distance between samples, > 0.
+        step: f64,
+    },
+}
+
+/// A root nearer to the eye than this part of the region's size is where the eye is, and is skipped.
+const SKIPPED: f64 = 1e-12;
+
+/// The end of a ray that no region ends.
+const FAR: f64 = 1e9;
+
+/// How much of a hard ray the careful method settles before lanes take over again, as a part of the scale.
+const STRETCH: f64 = 4e-5;
+
+/// Traces batches of rays against surfaces; one for each thread.
+pub struct Tracer<'a> {
+    surfaces: &'a [Surface],
+    method: Method,
+    files: Vec<Vec<Memory>>,
+    pool: Pool,
+    batch: Batch,
+    found: Found,
+    refined: Vec<Refined>,
+    open: Vec<Open>,
+    marcher: Marcher,
+    /// What was computed since the tracer was made.
+    pub counts: Counts,
+}
+
+/// Register files of one sheet.
+struct Memory {
+    cells: Vec<Cells>,
+    value: Vec<Cells>,
+    point: Vec<Points>,
+    gradient: Vec<Points>,
+    scalar: Scratch,
+}
+
+impl Memory {
+    fn new(sheet: &Sheet) -> Self {
+        Memory {
+            cells: sheet.slope.registers(),
+            value: sheet.value.registers(),
+            point: sheet.point.registers(),
+            gradient: sheet.gradient.registers(),
+            scalar: sheet.scalar.scratch(),
+        }
+    }
+}
+
+/// The batch at hand.
+struct Job<'a> {
+    rays: &'a [Ray],
+    hits: &'a mut [Hit],
+    /// The distance from which on a ray's emptiness is not proven.
+    doubt: Vec<f64>,
+    /// Hits whose normal is still to be found, with the distance to take it at.
+    bare: Vec<(u32, f64)>,
+    surface: u32,
+}
+
+impl<'a> Tracer<'a> {
+    /// A tracer with fresh memory.
+    pub fn new(surfaces: &'a [Surface], method: Method) -> Self {
+        let files = surfaces.iter().map(|s| s.sheets.iter().map(Memory::new).collect()).collect();
+        Tracer {
+            surfaces,
+            method,
+            files,
+            pool: Pool::default(),
+            batch: Batch::default(),
+            found: Found::default(),
+            refined: Vec::new(),
+            open: Vec::new(),
+            marcher: Marcher::new(surfaces),
+            counts: Counts::default(),
+        }
+    }
+
+    /// The first root with t > 0 on each ray; `hits` is replaced, in the order of the rays.
+    ///
+    /// A root at the very start (within 1e-12 of the region's size) is the one the eye is on, and is skipped.
+    pub fn trace(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
+        self.run(rays, SKIPPED, hits);
+    }
+
+    /// The same for rays that start beside a surface, at [`Hit::near`]: nothing is skipped.
+    pub fn trace_from_surface(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
+        self.run(rays, 0.0, hits);
+    }
+
+    fn run(&mut self, rays: &[Ray], skipped: f64, hits: &mut Vec<Hit>) {
+        hits.clear();
+        hits.resize(rays.len(), Hit::NONE);
+        self.counts.rays += rays.len() as u64;
+        if let Method::March { step } = self.method {
+            self.marcher.run(self.surfaces, step, skipped, rays, hits, &mut self.counts);
+            return;
+        }
+        let mut job = Job { rays, hits, doubt: vec![f64::INFINITY; rays.len()], bare: Vec::new(), surface: 0 };
+        for (index, surface) in self.surfaces.iter().enumerate() {
+            job.surface = index as u32;
+            for k in 0..surface.sheets.len() {
+                self.sheet(index, k, skipped, &mut job);
+            }
+        }
+        for (hit, &doubt) in job.hits.iter_mut().zip(&job.doubt) {
+            hit.proven = matches!(hit.outcome, Outcome::Miss | Outcome::Hit) && (doubt >= hit.t);
+        }
+    }
+
+    /// One sheet of one surface, for all rays.
+    fn sheet(&mut self, index: usize, k: usize, skipped: f64, job: &mut Job) {
+        let surface = &self.surfaces[index];
+        self.open.clear();
+        self.open_rays(surface, skipped, job);
+        while !self.open.is_empty() {
+            let memory = &mut self.files[index][k];
+            let sheet = &surface.sheets[k];
+            self.pool.run(
+                surface.simd,
+                sheet,
+                &mut memory.cells,
+                job.rays,
+                surface.size,
+                &mut self.open,
+                &mut self.found,
+            );
+            self.counts.cells += std::mem::take(&mut self.found.cells);
+            for (ray, slabs) in self.found.empty.drain(..) {
+                job.hits[ray as usize].cost += slabs;
+            }
+            self.refine(surface, index, k, job);
+            let hard = std::mem::take(&mut self.found.hard);
+            for open in &hard {
+                let end = open.end.min(open.a + STRETCH * surface.size.max(open.a));
+                self.careful(surface, index, k, *open, end, job);
+            }
+            self.found.hard = hard;
+            self.found.hard.clear();
+        }
+        self.normals(surface, index, k, job);
+    }
+
+    fn open_rays(&mut self, surface: &Surface, skipped: f64, job: &Job) {
+        for (number, (ray, hit)) in job.rays.iter().zip(&*job.hits).enumerate() {
+            let Some((t0, t1)) = surface.span(ray) else { continue };
+            let (a, end) = (t0.max(skipped * surface.size), t1.min(hit.t).min(FAR));
+            if a <= end {
+                self.open.push(Open { ray: number as u32, a, end, step: end - a, slabs: 0 });
+            }
+        }
+        // Lanes take from the back: the first rays first.
+        self.open.reverse();
+    }
+
+    /// Refines all brackets found, and files what comes of it.
+    fn refine(&mut self, surface: &Surface, index: usize, k: usize, job: &mut Job) {
+        let brackets = std::mem::take(&mut self.found.brackets);
+        for chunk in brackets.chunks(POINTS) {
+            let memory = &mut self.files[index][k];
+            let mut files =
+                Files { point: &mut memory.point, gradient: &mut memory.gradient, cells: &mut memory.value };
+            let sheet = &surface.sheets[k];
+            self.refined.clear();
+            let work =
+                self.batch.run(surface.simd, sheet, &mut files, job.rays, surface.size, chunk, &mut self.refined);
+            self.counts.points += work.points;
+            self.counts.gradients += work.gradients;
+            self.counts.cells += work.cells;
+            for number in 0..self.refined.len() {
+                self.file(surface, index, k, self.refined[number], job);
+            }
+        }
+        self.found.brackets = brackets;
+        self.found.brackets.clear();
+    }
+
+    fn file(&mut self, surface: &Surface, index: usize, k: usize, refined: Refined, job: &mut Job) {
+        match refined {
+            Refined::Nothing(bracket) => self.resume(bracket.open, bracket.b, job),
+            Refined::Root { bracket, t, width, gradient } if surface.sheets[k].is_free() => {
+                job.settle(bracket.open, Outcome::Hit, t, width);
+                job.turn(bracket.open.ray, gradient);
+            }
+            Refined::Root { bracket, .. } | Refined::Unclear(bracket) => {
+                self.careful(surface, index, k, bracket.open, bracket.b, job);
+            }
+        }
+    }
+
+    /// Settles the stretch from `open.a` to `b` of one ray.
+    fn careful(&mut self, surface: &Surface, index: usize, k: usize, open: Open, b: f64, job: &mut Job) {
+        let ray = &job.rays[open.ray as usize];
+        let scratch = &mut self.files[index][k].scalar;
+        let mut careful =
+            Careful { sheet: &surface.sheets[k], kind: surface.kind, ray, size: surface.size, scratch, cells: 0 };
+        let end = careful.trace(open.a, b);
+        self.counts.cells += careful.cells;
+        job.hits[open.ray as usize].cost += careful.cells as u32;
+        match end {
+            End::Empty { proven } => {
+                if !proven {
+                    let doubt = &mut job.doubt[open.ray as usize];
+                    *doubt = doubt.min(open.a);
+                }
+                self.resume(open, b, job);
+            }
+            End::Root { t, width } => {
+                job.settle(open, Outcome::Hit, t, width);
+                job.bare.push((open.ray, t));
+            }
+            End::Touch { t, width } => {
+                job.settle(open, Outcome::Touch, t, width);
+                // On the extremum itself the gradient is rounding; a little in front it points away from it.
+                job.bare.push((open.ray, t - SHORT_OF_TOUCH * surface.size.max(t)));
+            }
+            End::Undecided { t, width } => {
+                job.settle(open, Outcome::Undecided, t, width);
+                job.bare.push((open.ray, t));
+            }
+        }
+    }
+
+    /// Goes on behind b, if anything is left there.
+    fn resume(&mut self, open: Open, b: f64, job: &mut Job) {
+        if b >= open.end {
+            job.hits[open.ray as usize].cost += open.slabs;
+        } else {
+            self.open.push(Open { a: b, step: 2.0 * (b - open.a), ..open });
+        }
+    }
+
+    /// Finds the normals that are still missing, a batch at a time.
+    fn normals(&mut self, surface: &Surface, index: usize, k: usize, job: &mut Job) {
+        let bare = std::mem::take(&mut job.bare);
+        let (sheet, registers) = (&surface.sheets[k], &mut self.files[index][k].gradient);
+        for chunk in bare.chunks(POINTS) {
+            let at = |i: usize| &chunk[i.min(chunk.len() - 1)];
+            let part =
+                |pick: fn(&Ray) -> DVec3, axis: usize| std::array::from_fn(|i| pick(&job.rays[at(i).0 as usize])[axis]);
+            let origin = [0, 1, 2].map(|axis| part(|r| r.origin, axis));
+            let direction = [0, 1, 2].map(|axis| part(|r| r.direction, axis));
+            points_at(surface.simd, &origin, &direction, &std::array::from_fn(|i| at(i).1), registers);
+            sheet.gradient.run(registers);
+            self.counts.gradients += chunk.len() as u64;
+            for (i, &(ray, _)) in chunk.iter().enumerate() {
+                let [x, y, z] = [1, 2, 3].map(|c| sheet.gradient.output(registers, c).0[i]);
+                job.turn(ray, DVec3::new(x, y, z));
+            }
+        }
+    }
+}
+
+/// How far in front of a touch its normal is taken, as a part of the scale.
+const SHORT_OF_TOUCH: f64 = 1e-5;
+
+impl Job<'_> {
+    /// A root in front of all known so far.
+    fn settle(&mut self, open: Open, outcome: Outcome, t: f64, width: f64) {
+        let hit = &mut self.hits[open.ray as usize];
+        let cost = hit.cost + open.slabs;
+        *hit = Hit { outcome, t, width, near: (t - width).max(0.0), surface: self.surface, cost, ..Hit::NONE };
+    }
+
+    /// The normal of a hit from the gradient, turned against the ray.
+    fn turn(&mut self, ray: u32, gradient: DVec3) {
+        let hit = &mut self.hits[ray as usize];
+        let normal = gradient.try_normalize().unwrap_or(DVec3::NAN);
+        hit.flipped = normal.dot(self.rays[ray as usize].direction) > 0.0;
+        hit.normal = if hit.flipped { -normal } else { normal };
+    }
+}
