@@ -45,7 +45,9 @@ fn evaluate(tape: &Tape, nodes: &[NodeId]) -> Vec<(NodeId, Constant)> {
     let value = |k: usize| {
         let range = ranges.output(&r, k).get(0);
         match range.defined {
-            Defined::Everywhere if range.continuous => Some(Constant { point: points.output(&p, k).0[0], range: range.range }),
+            Defined::Everywhere if range.continuous => {
+                Some(Constant { point: points.output(&p, k).0[0], range: range.range })
+            }
             Defined::Nowhere => Some(Constant { point: f64::NAN, range: Interval::EMPTY }),
             Defined::Everywhere | Defined::Somewhere => None,
         }

@@ -22,7 +22,8 @@ pub struct Kernel<T> {
 impl<T: Number> Kernel<T> {
     /// The closures of a tape, for the given instructions.
     pub fn new(tape: &Tape, simd: Simd) -> Self {
-        let zero = crate::num::number::Constant { point: 0.0, range: crate::num::interval::Interval { lo: 0.0, hi: 0.0 } };
+        let zero =
+            crate::num::number::Constant { point: 0.0, range: crate::num::interval::Interval { lo: 0.0, hi: 0.0 } };
         let mut blank = vec![T::constant(zero); tape.registers];
         for &(register, value) in &tape.constants {
             blank[register as usize] = T::constant(value);

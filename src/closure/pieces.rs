@@ -64,7 +64,12 @@ impl Pieces {
 
     /// Whether `accept` holds for the first root over every combination of sides; the number of
     /// combinations tried, negative if one was not accepted or there were too many.
-    pub fn all_pieces(&self, variables: &[Interval; 6], scratch: &mut Scratch, accept: impl Fn(&Enclosure) -> bool) -> i64 {
+    pub fn all_pieces(
+        &self,
+        variables: &[Interval; 6],
+        scratch: &mut Scratch,
+        accept: impl Fn(&Enclosure) -> bool,
+    ) -> i64 {
         let mut sides = vec![0usize; self.forks.len()];
         for tried in 1..=MOST_COMBINATIONS {
             fill(variables, scratch);
@@ -131,9 +136,35 @@ fn jumps(op: Op) -> bool {
     match op {
         Op::Sign | Op::Floor | Op::Tan | Op::Div | Op::Atan2 | Op::Choose => true,
         Op::Power(n) => n < 0,
-        Op::Constant(_) | Op::Pi | Op::E | Op::Variable(_) | Op::Neg | Op::Abs | Op::Sqrt | Op::Exp | Op::Ln
-        | Op::Log2 | Op::Log10 | Op::Sin | Op::Cos | Op::Asin | Op::Acos | Op::Atan | Op::Sinh | Op::Cosh | Op::Tanh
-        | Op::Asinh | Op::Acosh | Op::Atanh | Op::Erf | Op::Root(_) | Op::Add | Op::Sub | Op::Mul | Op::Min
-        | Op::Max | Op::Pow => false,
+        Op::Constant(_)
+        | Op::Pi
+        | Op::E
+        | Op::Variable(_)
+        | Op::Neg
+        | Op::Abs
+        | Op::Sqrt
+        | Op::Exp
+        | Op::Ln
+        | Op::Log2
+        | Op::Log10
+        | Op::Sin
+        | Op::Cos
+        | Op::Asin
+        | Op::Acos
+        | Op::Atan
+        | Op::Sinh
+        | Op::Cosh
+        | Op::Tanh
+        | Op::Asinh
+        | Op::Acosh
+        | Op::Atanh
+        | Op::Erf
+        | Op::Root(_)
+        | Op::Add
+        | Op::Sub
+        | Op::Mul
+        | Op::Min
+        | Op::Max
+        | Op::Pow => false,
     }
 }

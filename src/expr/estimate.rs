@@ -4,6 +4,8 @@
 //! or that it surely has none, or that rounding does not allow to say. Separate from the closures on purpose: the
 //! two check each other.
 
+#![allow(clippy::disallowed_methods, reason = "judged by the standard library")]
+
 use super::graph::{Graph, NodeId};
 use super::op::{Op, Variable};
 

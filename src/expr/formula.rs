@@ -1,6 +1,7 @@
-//! For tests: formulas as text, without the parser, so that the algebra can be tested on its own.
+//! For tests: formulas as text, in a graph of one's own choice.
 //!
-//! In: text with explicit operators. Out: a node. Knows `+ - * / ^`, brackets, numbers, x y z, pi, e, and the
+//! In: text with explicit operators. Out: a node. Separate from the parser so that the algebra can be tested on its
+//! own; [`typed`] goes the real way. Knows `+ - * / ^`, brackets, numbers, x y z, pi, e, and the
 //! operations under their names; `^` takes whole exponents, else it is `pow`.
 
 use super::graph::{Graph, NodeId};
@@ -14,6 +15,17 @@ pub(crate) fn formula(graph: &mut Graph, text: &str) -> NodeId {
     let id = reader.sum();
     assert_eq!(reader.at, reader.text.len(), "unread: {}", reader.text[reader.at..].iter().collect::<String>());
     id
+}
+
+/// The graph and the node of a formula by the parser and the lowering.
+pub(crate) fn typed(text: &str) -> (Graph, NodeId) {
+    let program = crate::syntax::parse(&[(crate::diag::SourceId(0), text)]);
+    let lowered = super::lower::lower(&program.program, &super::lower::Settings::default());
+    let [surface] = &lowered.surfaces[..] else {
+        panic!("{text}: {:?} {:?}", program.diagnostics, lowered.diagnostics)
+    };
+    let f = surface.f;
+    (lowered.graph, f)
 }
 
 struct Reader<'a> {

@@ -15,6 +15,7 @@ pub mod exponential;
 pub mod hyperbolic;
 pub mod inverse;
 pub mod logarithm;
+pub mod native;
 pub mod power;
 pub mod trigonometric;
 
@@ -32,33 +33,44 @@ use super::level::Level;
 /// at least a tenth of an ulp.
 pub mod bound {
     /// sin, cos.
-    pub const SIN: f64 = 1.0;
+    pub const SIN: f64 = 0.8;
     /// tan.
-    pub const TAN: f64 = 2.5;
+    pub const TAN: f64 = 0.9;
     /// e^a.
-    pub const EXP: f64 = 1.0;
+    pub const EXP: f64 = 0.7;
     /// All three logarithms.
-    pub const LN: f64 = 1.0;
+    pub const LN: f64 = 0.6;
     /// arctan and the angle of a point.
-    pub const ATAN: f64 = 1.0;
+    pub const ATAN: f64 = 0.8;
     /// arcsin.
-    pub const ASIN: f64 = 1.0;
+    pub const ASIN: f64 = 0.75;
     /// arccos.
-    pub const ACOS: f64 = 1.0;
+    pub const ACOS: f64 = 0.7;
     /// sinh.
-    pub const SINH: f64 = 2.0;
+    pub const SINH: f64 = 0.9;
     /// cosh.
-    pub const COSH: f64 = 2.0;
+    pub const COSH: f64 = 0.9;
     /// tanh.
-    pub const TANH: f64 = 3.0;
+    pub const TANH: f64 = 0.9;
     /// arsinh, arcosh, artanh.
-    pub const ASINH: f64 = 1.5;
+    pub const ASINH: f64 = 0.6;
     /// The error function.
-    pub const ERF: f64 = 1.0;
+    pub const ERF: f64 = 0.95;
     /// a^b and odd roots.
-    pub const POW: f64 = 1.0;
+    pub const POW: f64 = 0.7;
     /// a^n for |n| ≤ 2^40.
-    pub const POWER: f64 = 1.0;
+    pub const POWER: f64 = 0.6;
+
+    /// How many f64 outward of a computed end lie both the exact value there and whatever is computed at other
+    /// points of a box. Computed points miss their exact values by E ulp as well, so that 2·E must be covered; both
+    /// being f64, for E < 3/4 that is one step even where the ulp halves between them.
+    pub const fn steps(ulps: f64) -> u32 {
+        let mut steps = 1;
+        while ulps >= 0.75 && (steps as f64) < 2.0 * ulps {
+            steps += 1;
+        }
+        steps
+    }
 }
 
 /// 1.5·2^52: adding it to |x| < 2^51 leaves the nearest whole number, two's complement, in the low bits.

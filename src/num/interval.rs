@@ -17,6 +17,7 @@ mod tests;
 mod trigonometric;
 
 pub use pieces::Pieces;
+pub(super) use trigonometric::TURN_ERROR;
 
 /// The closed set of reals between two bounds, which may be infinite; empty when both are NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,9 @@
 //! what `interval` gives one by one. Separate from it because these loops become vector instructions; lanes that
 //! are unusual (infinite, empty, near underflow, out of the domain) are computed again by `interval`.
 
+mod arithmetic;
+mod elementary;
+
 use super::interval::{Defined, Enclosure, Interval};
 use super::level::Level;
 use super::number::{Constant, Number};
@@ -71,24 +74,11 @@ impl<const N: usize> Default for IntervalLanes<N> {
     }
 }
 
-macro_rules! one_by_one {
-    ($($name:ident => $scalar:ident),* $(,)?) => {
+macro_rules! by_arrays {
+    ($($module:ident :: $name:ident($($argument:ident),*) $(<$level:ident>)?;)*) => {
         $(#[inline(always)]
-        fn $name<L: Level>(a: &Self, out: &mut Self) {
-            for i in 0..N {
-                out.set(i, a.get(i).$scalar());
-            }
-        })*
-    };
-}
-
-macro_rules! pair_by_pair {
-    ($($name:ident => $scalar:ident),* $(,)?) => {
-        $(#[inline(always)]
-        fn $name<L: Level>(a: &Self, b: &Self, out: &mut Self) {
-            for i in 0..N {
-                out.set(i, a.get(i).$scalar(b.get(i)));
-            }
+        fn $name<L: Level>($($argument: &Self,)* out: &mut Self) {
+            $module::$name$(::<$level, N>)?($($argument,)* out);
         })*
     };
 }
@@ -99,33 +89,58 @@ impl<const N: usize> Number for IntervalLanes<N> {
         Self::splat(Enclosure::total(value.range))
     }
 
-    one_by_one! {
-        neg => negated, abs => abs, sign => sign, sqrt => sqrt, exp => exp, ln => ln, log2 => log2, log10 => log10,
-        sin => sin, cos => cos, tan => tan, asin => asin, acos => acos, atan => atan, sinh => sinh, cosh => cosh,
-        tanh => tanh, asinh => asinh, acosh => acosh, atanh => atanh, erf => erf, floor => floor, square => square,
-    }
-
-    pair_by_pair! {
-        add => plus, sub => minus, mul => times, div => over, min => min, max => max, pow => pow, atan2 => atan2,
+    by_arrays! {
+        arithmetic::neg(a);
+        arithmetic::abs(a);
+        arithmetic::sign(a);
+        arithmetic::floor(a);
+        arithmetic::sqrt(a)<L>;
+        arithmetic::square(a)<L>;
+        arithmetic::add(a, b)<L>;
+        arithmetic::sub(a, b)<L>;
+        arithmetic::mul(a, b)<L>;
+        arithmetic::div(a, b)<L>;
+        arithmetic::min(a, b);
+        arithmetic::max(a, b);
+        elementary::exp(a)<L>;
+        elementary::ln(a)<L>;
+        elementary::log2(a)<L>;
+        elementary::log10(a)<L>;
+        elementary::sin(a)<L>;
+        elementary::cos(a)<L>;
+        elementary::tan(a)<L>;
+        elementary::asin(a)<L>;
+        elementary::acos(a)<L>;
+        elementary::atan(a)<L>;
+        elementary::sinh(a)<L>;
+        elementary::cosh(a)<L>;
+        elementary::tanh(a)<L>;
+        elementary::asinh(a)<L>;
+        elementary::acosh(a)<L>;
+        elementary::atanh(a)<L>;
+        elementary::erf(a)<L>;
+        elementary::pow(a, b)<L>;
     }
 
     #[inline(always)]
     fn sin_cos<L: Level>(a: &Self, sin: &mut Self, cos: &mut Self) {
-        Self::sin::<L>(a, sin);
-        Self::cos::<L>(a, cos);
+        elementary::sin_cos::<L, N>(a, sin, cos);
     }
 
     #[inline(always)]
     fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
-        for i in 0..N {
-            out.set(i, a.get(i).power(n));
-        }
+        arithmetic::power::<L, N>(a, n, out);
     }
 
     #[inline(always)]
     fn root<L: Level>(a: &Self, n: u32, out: &mut Self) {
+        elementary::root::<L, N>(a, n, out);
+    }
+
+    #[inline(always)]
+    fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self) {
         for i in 0..N {
-            out.set(i, a.get(i).root(n));
+            out.set(i, a.get(i).atan2(b.get(i)));
         }
     }
 

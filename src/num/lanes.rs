@@ -29,10 +29,10 @@ impl<const N: usize> Default for Lanes<N> {
 /// Repairs the lanes whose angle is too large for the straight reduction.
 #[cold]
 #[inline(never)]
-fn patch_large<const N: usize>(a: &[f64; N], out: &mut [f64; N], f: fn((f64, f64)) -> f64) {
+fn patch_large<const N: usize>(a: &[f64; N], out: &mut [f64; N], f: fn(f64) -> f64) {
     for i in 0..N {
         if a[i].abs() > REDUCIBLE {
-            out[i] = f(trigonometric::sin_cos_of_large(a[i]));
+            out[i] = f(a[i]);
         }
     }
 }
@@ -109,7 +109,7 @@ impl<const N: usize> Number for Lanes<N> {
             out.0[i] = trigonometric::sin_reducible::<L>(a.0[i]);
         }
         if any_large(&a.0) {
-            patch_large(&a.0, &mut out.0, |(s, _)| s);
+            patch_large(&a.0, &mut out.0, |a| trigonometric::sin_cos_of_large(a).0);
         }
     }
 
@@ -119,7 +119,7 @@ impl<const N: usize> Number for Lanes<N> {
             out.0[i] = trigonometric::cos_reducible::<L>(a.0[i]);
         }
         if any_large(&a.0) {
-            patch_large(&a.0, &mut out.0, |(_, c)| c);
+            patch_large(&a.0, &mut out.0, |a| trigonometric::sin_cos_of_large(a).1);
         }
     }
 
@@ -129,8 +129,8 @@ impl<const N: usize> Number for Lanes<N> {
             (sin.0[i], cos.0[i]) = trigonometric::sin_cos_reducible::<L>(a.0[i]);
         }
         if any_large(&a.0) {
-            patch_large(&a.0, &mut sin.0, |(s, _)| s);
-            patch_large(&a.0, &mut cos.0, |(_, c)| c);
+            patch_large(&a.0, &mut sin.0, |a| trigonometric::sin_cos_of_large(a).0);
+            patch_large(&a.0, &mut cos.0, |a| trigonometric::sin_cos_of_large(a).1);
         }
     }
 
@@ -140,36 +140,14 @@ impl<const N: usize> Number for Lanes<N> {
             out.0[i] = trigonometric::tan_reducible::<L>(a.0[i]);
         }
         if any_large(&a.0) {
-            patch_large(&a.0, &mut out.0, |(s, c)| s / c);
+            patch_large(&a.0, &mut out.0, trigonometric::tan_of_large);
         }
     }
 
-    /// The same steps as [`func::power`], each for all lanes.
     #[inline(always)]
     fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
-        let (mut square, mut square_low) = (a.0, [0.0; N]);
-        if n < 0 {
-            for i in 0..N {
-                (square[i], square_low[i]) = power::reciprocal::<L>(a.0[i]);
-            }
-        }
-        let mut rest = n.unsigned_abs();
-        while rest & 1 == 0 && rest > 0 {
-            square_all::<L, N>(&mut square, &mut square_low);
-            rest >>= 1;
-        }
-        let (mut value, mut value_low) = (square, square_low);
-        rest >>= 1;
-        while rest > 0 {
-            square_all::<L, N>(&mut square, &mut square_low);
-            if rest & 1 == 1 {
-                for i in 0..N {
-                    (value[i], value_low[i]) = power::times::<L>((value[i], value_low[i]), (square[i], square_low[i]));
-                }
-            }
-            rest >>= 1;
-        }
-        out.0 = value;
+        out.0 = a.0;
+        power_all::<L, N>(&mut out.0, n);
     }
 
     #[inline(always)]
@@ -193,4 +171,32 @@ fn square_all<L: Level, const N: usize>(high: &mut [f64; N], low: &mut [f64; N])
         let a = (high[i], low[i]);
         (high[i], low[i]) = power::times::<L>(a, a);
     }
+}
+
+/// x^n in every lane: the same steps as [`func::power`], each for all lanes.
+#[inline(always)]
+pub(super) fn power_all<L: Level, const N: usize>(x: &mut [f64; N], n: i64) {
+    let (mut square, mut square_low) = (*x, [0.0; N]);
+    if n < 0 {
+        for i in 0..N {
+            (square[i], square_low[i]) = power::reciprocal::<L>(x[i]);
+        }
+    }
+    let mut rest = n.unsigned_abs();
+    while rest & 1 == 0 && rest > 0 {
+        square_all::<L, N>(&mut square, &mut square_low);
+        rest >>= 1;
+    }
+    let (mut value, mut value_low) = (square, square_low);
+    rest >>= 1;
+    while rest > 0 {
+        square_all::<L, N>(&mut square, &mut square_low);
+        if rest & 1 == 1 {
+            for i in 0..N {
+                (value[i], value_low[i]) = power::times::<L>((value[i], value_low[i]), (square[i], square_low[i]));
+            }
+        }
+        rest >>= 1;
+    }
+    *x = value;
 }

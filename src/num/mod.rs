@@ -19,3 +19,9 @@ pub mod lanes;
 pub mod level;
 pub mod number;
 pub mod rational;
+#[cfg(test)]
+mod speed;
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+mod trial;

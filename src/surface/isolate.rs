@@ -106,7 +106,16 @@ impl Default for Pool {
 
 impl Pool {
     /// Walks all open rays until each is settled, bracketed or found hard.
-    pub(crate) fn run(&mut self, simd: Simd, sheet: &Sheet, cells: &mut [Cells], rays: &[Ray], size: f64, open: &mut Vec<Open>, found: &mut Found) {
+    pub(crate) fn run(
+        &mut self,
+        simd: Simd,
+        sheet: &Sheet,
+        cells: &mut [Cells],
+        rays: &[Ray],
+        size: f64,
+        open: &mut Vec<Open>,
+        found: &mut Found,
+    ) {
         self.verdict = [Verdict::Idle; CELLS];
         let mut active = 0;
         loop {

@@ -27,7 +27,15 @@ impl Marcher {
     }
 
     /// Replaces each hit by the first root found on its ray.
-    pub(crate) fn run(&mut self, surfaces: &[Surface], step: f64, skipped: f64, rays: &[Ray], hits: &mut [Hit], counts: &mut Counts) {
+    pub(crate) fn run(
+        &mut self,
+        surfaces: &[Surface],
+        step: f64,
+        skipped: f64,
+        rays: &[Ray],
+        hits: &mut [Hit],
+        counts: &mut Counts,
+    ) {
         for (index, surface) in surfaces.iter().enumerate() {
             for (ray, hit) in rays.iter().zip(hits.iter_mut()) {
                 let Some((t0, t1)) = surface.span(ray) else { continue };

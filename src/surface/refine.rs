@@ -94,7 +94,16 @@ pub(crate) struct Files<'a> {
 
 impl Batch {
     /// Refines at most [`POINTS`] brackets.
-    pub(crate) fn run(&mut self, simd: Simd, sheet: &Sheet, files: &mut Files, rays: &[Ray], size: f64, brackets: &[Bracket], out: &mut Vec<Refined>) -> Work {
+    pub(crate) fn run(
+        &mut self,
+        simd: Simd,
+        sheet: &Sheet,
+        files: &mut Files,
+        rays: &[Ray],
+        size: f64,
+        brackets: &[Bracket],
+        out: &mut Vec<Refined>,
+    ) -> Work {
         let n = brackets.len().min(POINTS);
         let mut work = Work::default();
         self.load(&brackets[..n], rays);
@@ -142,7 +151,15 @@ impl Batch {
     }
 
     /// Newton's method for all brackets with a root, each kept inside its bracket.
-    fn newton(&mut self, simd: Simd, sheet: &Sheet, files: &mut Files, n: usize, brackets: &[Bracket], size: f64) -> u64 {
+    fn newton(
+        &mut self,
+        simd: Simd,
+        sheet: &Sheet,
+        files: &mut Files,
+        n: usize,
+        brackets: &[Bracket],
+        size: f64,
+    ) -> u64 {
         let mut open: Vec<usize> = (0..n).filter(|&i| self.crosses(i)).collect();
         let mut evaluations = 0;
         for _ in 0..MOST_STEPS {
@@ -182,7 +199,16 @@ impl Batch {
     }
 
     /// Proves what Newton found, for at most [`CELLS`] brackets.
-    fn certify(&self, simd: Simd, sheet: &Sheet, files: &mut Files, size: f64, first: usize, brackets: &[Bracket], out: &mut Vec<Refined>) {
+    fn certify(
+        &self,
+        simd: Simd,
+        sheet: &Sheet,
+        files: &mut Files,
+        size: f64,
+        first: usize,
+        brackets: &[Bracket],
+        out: &mut Vec<Refined>,
+    ) {
         let mut origin = [[0.0; CELLS]; 3];
         let mut direction = [[0.0; CELLS]; 3];
         let (mut front, mut behind) = ([0.0; CELLS], [0.0; CELLS]);
@@ -218,7 +244,14 @@ impl Batch {
 }
 
 /// The proven sign of g at one distance on each ray: −1, 1, or 0 when it is not proven.
-fn signs_at(simd: Simd, sheet: &Sheet, cells: &mut [Cells], origin: &[[f64; CELLS]; 3], direction: &[[f64; CELLS]; 3], t: &[f64; CELLS]) -> [i8; CELLS] {
+fn signs_at(
+    simd: Simd,
+    sheet: &Sheet,
+    cells: &mut [Cells],
+    origin: &[[f64; CELLS]; 3],
+    direction: &[[f64; CELLS]; 3],
+    t: &[f64; CELLS],
+) -> [i8; CELLS] {
     place(simd, origin, direction, t, t, cells);
     sheet.value.run(cells);
     let g = sheet.value.output(cells, 0);

@@ -138,7 +138,15 @@ impl<'a> Tracer<'a> {
         while !self.open.is_empty() {
             let memory = &mut self.files[index][k];
             let sheet = &surface.sheets[k];
-            self.pool.run(surface.simd, sheet, &mut memory.cells, job.rays, surface.size, &mut self.open, &mut self.found);
+            self.pool.run(
+                surface.simd,
+                sheet,
+                &mut memory.cells,
+                job.rays,
+                surface.size,
+                &mut self.open,
+                &mut self.found,
+            );
             self.counts.cells += std::mem::take(&mut self.found.cells);
             for (ray, slabs) in self.found.empty.drain(..) {
                 job.hits[ray as usize].cost += slabs;
@@ -172,10 +180,12 @@ impl<'a> Tracer<'a> {
         let brackets = std::mem::take(&mut self.found.brackets);
         for chunk in brackets.chunks(POINTS) {
             let memory = &mut self.files[index][k];
-            let mut files = Files { point: &mut memory.point, gradient: &mut memory.gradient, cells: &mut memory.value };
+            let mut files =
+                Files { point: &mut memory.point, gradient: &mut memory.gradient, cells: &mut memory.value };
             let sheet = &surface.sheets[k];
             self.refined.clear();
-            let work = self.batch.run(surface.simd, sheet, &mut files, job.rays, surface.size, chunk, &mut self.refined);
+            let work =
+                self.batch.run(surface.simd, sheet, &mut files, job.rays, surface.size, chunk, &mut self.refined);
             self.counts.points += work.points;
             self.counts.gradients += work.gradients;
             self.counts.cells += work.cells;
@@ -204,7 +214,8 @@ impl<'a> Tracer<'a> {
     fn careful(&mut self, surface: &Surface, index: usize, k: usize, open: Open, b: f64, job: &mut Job) {
         let ray = &job.rays[open.ray as usize];
         let scratch = &mut self.files[index][k].scalar;
-        let mut careful = Careful { sheet: &surface.sheets[k], kind: surface.kind, ray, size: surface.size, scratch, cells: 0 };
+        let mut careful =
+            Careful { sheet: &surface.sheets[k], kind: surface.kind, ray, size: surface.size, scratch, cells: 0 };
         let end = careful.trace(open.a, b);
         self.counts.cells += careful.cells;
         job.hits[open.ray as usize].cost += careful.cells as u32;
@@ -247,9 +258,8 @@ impl<'a> Tracer<'a> {
         let (sheet, registers) = (&surface.sheets[k], &mut self.files[index][k].gradient);
         for chunk in bare.chunks(POINTS) {
             let at = |i: usize| &chunk[i.min(chunk.len() - 1)];
-            let part = |pick: fn(&Ray) -> DVec3, axis: usize| {
-                std::array::from_fn(|i| pick(&job.rays[at(i).0 as usize])[axis])
-            };
+            let part =
+                |pick: fn(&Ray) -> DVec3, axis: usize| std::array::from_fn(|i| pick(&job.rays[at(i).0 as usize])[axis]);
             let origin = [0, 1, 2].map(|axis| part(|r| r.origin, axis));
             let direction = [0, 1, 2].map(|axis| part(|r| r.direction, axis));
             points_at(surface.simd, &origin, &direction, &std::array::from_fn(|i| at(i).1), registers);

@@ -62,11 +62,12 @@ print("//! The polynomials and split constants of the elementary functions.")
 print("//!")
 print("//! Nothing comes in; numbers come out, for the functions beside this file. Separate because it is the output")
 print("//! of `tests/tools/coefficients.py`, lowest power first: change that script, not this file.\n")
-print("#![allow(clippy::excessive_precision, clippy::unreadable_literal, clippy::approx_constant)]\n")
+print("#![allow(clippy::excessive_precision, clippy::unreadable_literal, clippy::approx_constant)]")
+print("#![cfg_attr(rustfmt, rustfmt_skip)]\n")
 
 s = mp.sqrt
 emit("SIN", "sin r = r + r·z·SIN(z), z = r², |r| ≤ π/4",
-     series(lambda z: (mp.sin(s(z)) / s(z) - 1) / z, mpf(-1) / 6), 0, quarter, 6, lambda z, d: d * z)
+     series(lambda z: (mp.sin(s(z)) / s(z) - 1) / z, mpf(-1) / 6), 0, quarter, 7, lambda z, d: d * z)
 emit("COS", "cos r = 1 − z/2 + z²·COS(z), z = r², |r| ≤ π/4",
      series(lambda z: (mp.cos(s(z)) - 1 + z / 2) / z**2, mpf(1) / 24), 0, quarter, 6, lambda z, d: d * z * z)
 emit("EXP", "e^r = 1 + r + r²·EXP(r), |r| ≤ ln 2 / 2",

@@ -193,7 +193,6 @@ xe => x*E
 2(x)(y) => 2*x*y
 (x)(y)^2 => x*y**2
 -2x => -2*x
-x 2 => x*2
 # functions without brackets
 sin 2x => sin(2*x)
 sin x y => sin(x*y)
@@ -406,6 +405,8 @@ a = 0.5 in [0, 1] step 0.1; a + x => x+mpf('0.5')
 t = pi/4 in [0, 2pi]; sin(t)*x => sin(pi/4)*x
 f(x, y, z) = x*y - z => x*y-z
 f(x, y) = x*y => z-x*y
+f(x, y, z) = x*y - z; f(x, y, z) = 2 => x*y-z-2
+f(u) = u^2; f(x) = y => x*x-y
 h(x, y) = sin(x); k = 3 => z-sin(x)
 # equations
 x^2 + y^2 + z^2 = 1 => x*x+y*y+z*z-1

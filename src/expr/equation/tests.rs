@@ -2,6 +2,8 @@ use super::{Sheet, Sign, sheets};
 use crate::expr::estimate::{Estimate, Random, estimates};
 use crate::expr::formula::formula;
 use crate::expr::graph::{Graph, NodeId};
+use crate::expr::op::Op;
+use crate::expr::print::text;
 
 /// An equation's left side; its sheets as `g`, `g | guard`, `g / denominator`, `;` between sheets.
 const ROWS: &[(&str, &str)] = &[
@@ -115,21 +117,12 @@ fn described(graph: &mut Graph, text: &str) -> Vec<(NodeId, Vec<NodeId>, Vec<Nod
     list
 }
 
-/// Enough of a printer for messages.
-fn shown(graph: &Graph, id: NodeId) -> String {
-    let args: Vec<String> = graph.args(id).iter().map(|a| shown(graph, *a)).collect();
-    match graph.constant(id) {
-        Some(c) => c.to_string(),
-        None => format!("{:?}({})", graph.op(id), args.join(", ")),
-    }
-}
-
 #[test]
 fn equations_become_the_sheets_expected() {
     let mut wrong = Vec::new();
-    for (text, expected) in ROWS {
+    for (input, expected) in ROWS {
         let mut graph = Graph::new();
-        let f = formula(&mut graph, text);
+        let f = formula(&mut graph, input);
         let equation = sheets(&mut graph, f);
         let expected = described(&mut graph, expected);
         let mut found: Vec<(NodeId, Vec<NodeId>, Vec<NodeId>)> = equation
@@ -140,23 +133,20 @@ fn equations_become_the_sheets_expected() {
                 guards.sort();
                 nonzero.sort();
                 // A polynomial may come back with the other sign.
-                let g = expected
-                    .iter()
-                    .map(|e| e.0)
-                    .find(|&e| e == s.g || graph.apply(crate::expr::op::Op::Neg, &[e]) == s.g);
+                let g = expected.iter().map(|e| e.0).find(|&e| e == s.g || graph.apply(Op::Neg, &[e]) == s.g);
                 (g.unwrap_or(s.g), guards, nonzero)
             })
             .collect();
         found.sort();
         if found != expected {
             let show = |list: &[(NodeId, Vec<NodeId>, Vec<NodeId>)]| {
-                let text = |id: &NodeId| shown(&graph, *id);
+                let text = |id: &NodeId| text(&graph, *id, 2000);
                 let texts = |ids: &[NodeId]| ids.iter().map(text).collect::<Vec<_>>();
                 list.iter()
-                    .map(|(g, a, b)| format!("{} | {:?} / {:?}", text(g), texts(a), texts(b)))
+                    .map(|(g, a, b)| format!("{:?} | {:?} / {:?}", text(g), texts(a), texts(b)))
                     .collect::<Vec<_>>()
             };
-            wrong.push(format!("{text}: {:#?}, not {:#?} {:?}", show(&found), show(&expected), equation.steps));
+            wrong.push(format!("{input}: {:#?}, not {:#?} {:?}", show(&found), show(&expected), equation.steps));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -181,6 +171,37 @@ fn allowed(graph: &Graph, sheet: &Sheet, point: [f64; 3]) -> Option<bool> {
     Some(all)
 }
 
+/// Compares the zeros of f and of its sheets at points with small whole coordinates, which hit zeros exactly; the
+/// number of zeros met.
+fn compare_zeros(graph: &mut Graph, f: NodeId, random: &mut Random, points: usize) -> usize {
+    let equation = sheets(graph, f);
+    let mut zeros = 0;
+    for _ in 0..points {
+        let point = [(); 3].map(|()| random.below(7) as f64 - 3.0);
+        let expected = match estimates(graph, &[f], point, [0.0; 3])[0] {
+            Estimate::Value(0.0, 0.0) => true,
+            Estimate::Value(v, e) if v.abs() > e => false,
+            Estimate::Nothing => false,
+            _ => continue,
+        };
+        let mut found = Some(false);
+        for sheet in &equation.sheets {
+            let zero = match estimates(graph, &[sheet.g], point, [0.0; 3])[0] {
+                Estimate::Value(0.0, 0.0) => allowed(graph, sheet, point),
+                Estimate::Value(v, e) if v.abs() > e => Some(false),
+                Estimate::Nothing => Some(false),
+                _ => None,
+            };
+            found = if found == Some(true) || zero == Some(true) { Some(true) } else { found.and(zero) };
+        }
+        if let Some(found) = found {
+            zeros += usize::from(expected);
+            assert_eq!(found, expected, "{:?} at {point:?}: {equation:?}", text(graph, f, 2000));
+        }
+    }
+    zeros
+}
+
 #[test]
 fn zeros_of_the_sheets_are_the_zeros_of_the_equation() {
     let mut random = Random(5);
@@ -188,33 +209,39 @@ fn zeros_of_the_sheets_are_the_zeros_of_the_equation() {
     for (text, _) in ROWS {
         let mut graph = Graph::new();
         let f = formula(&mut graph, text);
-        let equation = sheets(&mut graph, f);
-        for _ in 0..3000 {
-            // Small whole numbers hit zeros exactly.
-            let point = [(); 3].map(|()| random.below(7) as f64 - 3.0);
-            let expected = match estimates(&graph, &[f], point, [0.0; 3])[0] {
-                Estimate::Value(0.0, 0.0) => true,
-                Estimate::Value(v, e) if v.abs() > e => false,
-                Estimate::Nothing => false,
-                _ => continue,
-            };
-            let mut found = Some(false);
-            for sheet in &equation.sheets {
-                let zero = match estimates(&graph, &[sheet.g], point, [0.0; 3])[0] {
-                    Estimate::Value(0.0, 0.0) => allowed(&graph, sheet, point),
-                    Estimate::Value(v, e) if v.abs() > e => Some(false),
-                    Estimate::Nothing => Some(false),
-                    _ => None,
-                };
-                found = if found == Some(true) || zero == Some(true) { Some(true) } else { found.and(zero) };
-            }
-            if let Some(found) = found {
-                zeros += usize::from(expected);
-                assert_eq!(found, expected, "{text} at {point:?}: {equation:?}\n{graph:?}");
-            }
-        }
+        zeros += compare_zeros(&mut graph, f, &mut random, 3000);
     }
     assert!(zeros > 5000, "{zeros}");
+}
+
+#[test]
+fn zeros_of_random_equations_are_kept() {
+    let mut random = Random(6);
+    let (mut zeros, mut rewritten) = (0, 0);
+    for _ in 0..6000 {
+        let mut graph = Graph::new();
+        let mut pool: Vec<NodeId> = ["x", "y", "z", "x", "y", "1", "2"].map(|t| formula(&mut graph, t)).to_vec();
+        for _ in 0..2 + random.below(8) {
+            let op = match random.below(12) {
+                0..=2 => Op::Add,
+                3..=5 => Op::Sub,
+                6 | 7 => Op::Mul,
+                8 => Op::Div,
+                9 => Op::Power([2, 3, -1, -2][random.below(4)]),
+                _ => [Op::Abs, Op::Sqrt, Op::Ln, Op::Sin, Op::Tan, Op::Neg, Op::Exp, Op::Root(3), Op::Min]
+                    [random.below(9)],
+            };
+            let recent = pool.len() - 4;
+            let args: Vec<NodeId> = (0..op.arity())
+                .map(|_| pool[if random.below(3) > 0 { recent + random.below(4) } else { random.below(pool.len()) }])
+                .collect();
+            pool.push(graph.apply(op, &args));
+        }
+        let f = pool[pool.len() - 1];
+        rewritten += usize::from(!sheets(&mut graph, f).steps.is_empty());
+        zeros += compare_zeros(&mut graph, f, &mut random, 60);
+    }
+    assert!(zeros > 8000 && rewritten > 2000, "{zeros} zeros, {rewritten} rewritten");
 }
 
 #[test]

@@ -192,14 +192,11 @@ impl<'a> Lowerer<'a> {
         self.out.render = Some(render);
     }
 
-    /// Refuses keys that are not known, not possible yet, or given twice.
+    /// Refuses keys that are not known or not possible yet.
     fn check_keys(&mut self, attributes: &'a [Attribute], owner: &str, known: &[&str], later: &[&str]) {
-        for (position, attribute) in attributes.iter().enumerate().take(MAX_ATTRIBUTES) {
+        for attribute in attributes {
             let key = &attribute.key;
-            if let Some(first) = attributes[..position].iter().find(|first| first.key.text == key.text) {
-                let error = Diagnostic::error(key.span, format!("`{}` is given twice", cut(&key.text)));
-                self.report(error.also(first.key.span, "the first").help("leave one of them out"));
-            } else if later.contains(&key.text.as_str()) {
+            if later.contains(&key.text.as_str()) {
                 let error = Diagnostic::error(key.span, format!("`{}` cannot be used yet", key.text));
                 self.report(error.help(format!("{owner} takes {}", one_of(known))));
             } else if !known.contains(&key.text.as_str()) {
@@ -211,9 +208,6 @@ impl<'a> Lowerer<'a> {
                 let message = format!("{owner} has no attribute `{}`", cut(&key.text));
                 self.report(Diagnostic::error(key.span, message).help(help));
             }
-        }
-        if let Some(beyond) = attributes.get(MAX_ATTRIBUTES) {
-            self.report(Diagnostic::error(beyond.key.span, format!("a block has at most {MAX_ATTRIBUTES} attributes")));
         }
     }
 
@@ -405,9 +399,6 @@ impl<'a> Lowerer<'a> {
         Err(self.report(Diagnostic::error(expr.span, "a part of a surface's colour lies between 0 and 1")))
     }
 }
-
-/// Attributes looked at in one block: looking for doubles takes time, and there are not so many keys.
-const MAX_ATTRIBUTES: usize = 64;
 
 fn place(value: &AttributeValue) -> Span {
     match value {

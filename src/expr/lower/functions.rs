@@ -63,8 +63,7 @@ impl<'a> Lowerer<'a> {
     }
 
     fn wrong_count(&mut self, name: &Name, signature: &str, found: usize, span: Span) -> super::Reported {
-        let arguments = if found == 1 { "1 argument".to_owned() } else { format!("{found} arguments") };
-        let message = format!("`{}` was given {arguments}", name.text);
+        let message = format!("`{}` was given {}", name.text, arguments(found));
         self.report(Diagnostic::error(span, message).help(format!("it is `{signature}`")))
     }
 
@@ -263,58 +262,71 @@ impl<'a> Lowerer<'a> {
 
     fn call_defined(&mut self, index: usize, name: &Name, args: &'a [Expr], span: Span) -> Reporting<Value> {
         let placed = self.placed_all(args);
-        let Some((parameters, body)) = self.names.list[index].as_function() else { return super::values::reported() };
-        if args.len() != parameters.len() {
-            let listed: Vec<&str> = parameters.iter().map(|parameter| parameter.text.as_str()).collect();
-            let signature = format!("{}({})", name.text, listed.join(", "));
-            let defined = self.names.list[index].name.span;
-            return Err(self.wrong_defined_count(name, &signature, args.len(), span, defined));
-        }
-        let values: Vec<Value> = placed?.into_iter().map(|placed| placed.value).collect();
-        self.applied(index, parameters, body, values, span)
+        self.check_count(index, name, args.len(), span)?;
+        self.applied(index, placed?.into_iter().map(|placed| placed.value).collect(), span)
     }
 
-    fn wrong_defined_count(
-        &mut self,
-        name: &Name,
-        signature: &str,
-        found: usize,
-        span: Span,
-        defined: Span,
-    ) -> super::Reported {
-        let arguments = if found == 1 { "1 argument".to_owned() } else { format!("{found} arguments") };
-        let message = format!("`{}` was given {arguments}", name.text);
-        let error = Diagnostic::error(span, message).also(defined, "defined here");
-        self.report(error.help(format!("it is `{}`", super::cut(signature))))
+    /// `f(x, y, z)` of names.
+    pub(super) fn call_by_names(&mut self, name: &Name, args: &[Name], span: Span) -> Reporting<Value> {
+        let values: Vec<_> = args.iter().map(|arg| self.name(&arg.text, arg.span)).collect();
+        let Some(index) = self.names.function(&name.text) else { return super::values::reported() };
+        self.check_count(index, name, args.len(), span)?;
+        self.applied(index, values.into_iter().collect::<Reporting<Vec<Value>>>()?, span)
+    }
+
+    /// Refuses a wrong number of arguments of a program's function.
+    fn check_count(&mut self, index: usize, name: &Name, found: usize, span: Span) -> Reporting<()> {
+        let Some((parameters, _)) = self.names.list[index].as_function() else { return super::values::reported() };
+        if found == parameters.len() {
+            return Ok(());
+        }
+        let listed: Vec<&str> = parameters.iter().map(|parameter| parameter.text.as_str()).collect();
+        let signature = format!("{}({})", name.text, listed.join(", "));
+        let message = format!("`{}` was given {}", super::cut(&name.text), arguments(found));
+        let error = Diagnostic::error(span, message).also(self.names.list[index].name.span, "defined here");
+        Err(self.report(error.help(format!("it is `{}`", super::cut(&signature)))))
     }
 
     /// The body with values for the parameters; the same function of the same values is lowered once.
-    pub(super) fn applied(
-        &mut self,
-        index: usize,
-        parameters: &'a [Name],
-        body: &'a Expr,
-        values: Vec<Value>,
-        span: Span,
-    ) -> Reporting<Value> {
+    pub(super) fn applied(&mut self, index: usize, values: Vec<Value>, span: Span) -> Reporting<Value> {
+        let Some((parameters, body)) = self.names.list[index].as_function() else { return super::values::reported() };
         if self.names.list[index].poisoned {
             return super::values::reported();
         }
+        self.called[index] = true;
         let key = (index, values);
         if let Some(known) = self.calls.get(&key) {
             return known.clone();
         }
         self.enter(span, limits::CALL_WEIGHT)?;
-        let frame = std::mem::replace(&mut self.frame, self.scope.len());
-        self.scope.extend(parameters.iter().map(|name| name.text.as_str()).zip(key.1.iter().cloned()));
         let before = self.diagnostics.len();
-        let value = self.expr(body);
-        self.scope.truncate(self.frame);
-        self.frame = frame;
+        let arguments: Vec<Reporting<Value>> = key.1.iter().cloned().map(Ok).collect();
+        let value = self.body(parameters, arguments, body);
         self.leave(limits::CALL_WEIGHT);
         self.mark_call(before, span);
         self.calls.insert(key, value.clone());
         value
+    }
+
+    /// The body with its parameters bound, and with no other bound name.
+    fn body(&mut self, parameters: &'a [Name], values: Vec<Reporting<Value>>, body: &'a Expr) -> Reporting<Value> {
+        let frame = std::mem::replace(&mut self.frame, self.scope.len());
+        self.scope.extend(parameters.iter().map(|name| name.text.as_str()).zip(values));
+        let value = self.expr(body);
+        self.scope.truncate(self.frame);
+        self.frame = frame;
+        value
+    }
+
+    /// Looks for errors in functions that nothing calls: those that do not hang on what the arguments are.
+    pub(super) fn check_uncalled(&mut self) {
+        for index in 0..self.names.list.len() {
+            let Some((parameters, body)) = self.names.list[index].as_function() else { continue };
+            if !self.called[index] && !self.names.list[index].poisoned {
+                // The value is not wanted, only what is reported on the way to it.
+                let _ = self.body(parameters, vec![super::values::reported(); parameters.len()], body);
+            }
+        }
     }
 
     /// Says in errors that arose inside a function's body which call brought them up.
@@ -326,4 +338,8 @@ impl<'a> Lowerer<'a> {
             }
         }
     }
+}
+
+fn arguments(count: usize) -> String {
+    if count == 1 { "1 argument".to_owned() } else { format!("{count} arguments") }
 }

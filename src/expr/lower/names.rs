@@ -4,30 +4,13 @@
 //! needs, so that lowering follows no chain of names by recursion. Circles and double definitions are found here.
 
 use super::limits::MAX_CHAIN;
+use super::{cut, meanings};
 use crate::diag::{Diagnostic, Span};
-use crate::syntax::ast::{
-    Attribute, AttributeValue, Expr, ExprKind, Name, Program, SeriesRange, Statement, StatementKind,
-};
-use crate::syntax::functions;
+use crate::syntax::ast::{Expr, ExprKind, Name, Program, SeriesRange, Statement, StatementKind};
 use std::collections::HashMap;
-
-/// Ready for use unless the program defines them; alone on the left they may also be surfaces.
-pub(super) const READY: [&str; 4] = ["r", "theta", "rho", "phi"];
 
 /// Circles reported at most: each takes time to follow, and nobody reads more.
 const MAX_CIRCLES: usize = 20;
-
-/// Names that mean one thing everywhere.
-const FIXED: [(&str, &str); 8] = [
-    ("x", "a coordinate"),
-    ("y", "a coordinate"),
-    ("z", "a coordinate"),
-    ("e", "Euler's number"),
-    ("pi", "the number π"),
-    ("π", "the number π"),
-    ("tau", "the number 2π"),
-    ("golden", "the golden ratio"),
-];
 
 /// A name that the program gives a meaning.
 pub(super) struct Declaration<'a> {
@@ -70,8 +53,9 @@ pub(super) struct Names<'a> {
     index: HashMap<&'a str, usize>,
     /// Every declaration that can be lowered, after those it needs.
     pub(super) order: Vec<usize>,
-    /// Of each statement whether it is an `r = …` that is a surface, because no other statement uses the name.
-    pub(super) surfaces: Vec<bool>,
+    /// Of each statement whether it is an equation though it looks like a function: `f(x, y, z) = 0` where f is
+    /// defined before.
+    pub(super) equations: Vec<bool>,
     /// How many circles were reported.
     circles: usize,
 }
@@ -79,12 +63,21 @@ pub(super) struct Names<'a> {
 impl<'a> Names<'a> {
     /// The table of a program, and what is wrong with its names.
     pub(super) fn collect(program: &'a Program) -> (Self, Vec<Diagnostic>) {
-        let mut names = Names::default();
+        let mut names = Names { equations: vec![false; program.statements.len()], ..Names::default() };
         let mut diagnostics = Vec::new();
-        names.surfaces = ready_names_alone(program, &mut diagnostics);
+        let mut again = Vec::new();
         for (position, statement) in program.statements.iter().enumerate() {
-            if !names.surfaces[position] {
-                names.declare(statement, &mut diagnostics);
+            if let Some((name, kind)) = declaration(statement) {
+                match names.find(&name.text) {
+                    Some(first) => again.push((position, first, Declaration { name, kind, poisoned: false })),
+                    None => names.declare(name, kind, &mut diagnostics),
+                }
+            }
+        }
+        for (position, first, second) in again {
+            names.equations[position] = names.is_equation(first, &second);
+            if !names.equations[position] {
+                diagnostics.push(names.defined_twice(first, second.name));
             }
         }
         names.sort(&mut diagnostics);
@@ -101,34 +94,27 @@ impl<'a> Names<'a> {
         self.find(name).filter(|&index| self.list[index].as_function().is_some())
     }
 
-    fn declare(&mut self, statement: &'a Statement, diagnostics: &mut Vec<Diagnostic>) {
-        let (name, kind) = match &statement.kind {
-            StatementKind::Definition { name, value } => (name, DeclarationKind::Value(value)),
-            StatementKind::Function { name, parameters, body } => {
-                diagnostics.extend(repeated_parameter(parameters));
-                (name, DeclarationKind::Function(parameters, body))
-            }
-            StatementKind::Parameter { name, value, low, high, step } => {
-                let step = step.as_ref();
-                (name, DeclarationKind::Parameter { value, low, high, step, span: statement.span })
-            }
-            StatementKind::Surface { .. } | StatementKind::Block { .. } | StatementKind::Include { .. } => return,
-        };
-        if let Some(error) = fixed_name(name) {
-            diagnostics.push(error);
-            return;
+    fn declare(&mut self, name: &'a Name, kind: DeclarationKind<'a>, diagnostics: &mut Vec<Diagnostic>) {
+        if !matches!(kind, DeclarationKind::Function(..)) {
+            diagnostics.extend(note_of_ready_name(name));
         }
-        match self.index.get(name.text.as_str()) {
-            Some(&first) => {
-                let message = format!("`{}` is defined twice", name.text);
-                let first = self.list[first].name.span;
-                let error = Diagnostic::error(name.span, message).also(first, "first defined here");
-                diagnostics.push(error.help("give one of the two another name"));
-            }
-            None => {
-                self.index.insert(&name.text, self.list.len());
-                self.list.push(Declaration { name, kind, poisoned: false });
-            }
+        self.index.insert(&name.text, self.list.len());
+        self.list.push(Declaration { name, kind, poisoned: false });
+    }
+
+    fn defined_twice(&self, first: usize, second: &Name) -> Diagnostic {
+        let error = Diagnostic::error(second.span, format!("`{}` is defined twice", cut(&second.text)));
+        error.also(self.list[first].name.span, "first defined here").help("give one of the two another name")
+    }
+
+    /// Whether a second `f(x, y, z) = …` says where the function `first` has that value: its arguments are known.
+    fn is_equation(&self, first: usize, second: &Declaration<'a>) -> bool {
+        match (self.list[first].as_function(), second.as_function()) {
+            (Some(_), Some((arguments, _))) => arguments.iter().all(|argument| {
+                let name = argument.text.as_str();
+                matches!(name, "x" | "y" | "z") || meanings::ready_meaning(name).is_some() || self.find(name).is_some()
+            }),
+            _ => false,
         }
     }
 
@@ -203,18 +189,19 @@ impl<'a> Names<'a> {
         // A circle of a thousand names is told by its first few.
         const SHOWN: usize = 8;
         let mut way: Vec<String> =
-            circle.iter().take(SHOWN).map(|&i| format!("`{}`", self.list[i].name.text)).collect();
+            circle.iter().take(SHOWN).map(|&i| format!("`{}`", cut(&self.list[i].name.text))).collect();
         if circle.len() > SHOWN {
             way.push("...".to_owned());
         }
         way.extend(way.first().cloned());
         let first = &self.list[circle[0]];
         let error = if circle.len() == 1 && first.as_function().is_some() {
-            let message = format!("the function `{}` calls itself", first.name.text);
+            let message = format!("the function `{}` calls itself", cut(&first.name.text));
             Diagnostic::error(first.name.span, message).help("a formula has no recursion; `sum(k = 1..n, ...)` repeats")
         } else if circle.len() == 1 {
-            let message = format!("`{}` is defined by itself", first.name.text);
-            let help = format!("for the surface where both sides are equal write `{0} - (...) = 0`", first.name.text);
+            let message = format!("`{}` is defined by itself", cut(&first.name.text));
+            let help =
+                format!("for the surface where both sides are equal write `{0} - (...) = 0`", cut(&first.name.text));
             Diagnostic::error(first.name.span, message).help(help)
         } else {
             let message = format!("these definitions need each other in a circle: {}", way.join(" → "));
@@ -240,6 +227,19 @@ impl<'a> Names<'a> {
     }
 }
 
+/// The name a statement declares, and as what.
+fn declaration(statement: &Statement) -> Option<(&Name, DeclarationKind<'_>)> {
+    match &statement.kind {
+        StatementKind::Definition { name, value } => Some((name, DeclarationKind::Value(value))),
+        StatementKind::Function { name, parameters, body } => Some((name, DeclarationKind::Function(parameters, body))),
+        StatementKind::Parameter { name, value, low, high, step } => {
+            let step = step.as_ref();
+            Some((name, DeclarationKind::Parameter { value, low, high, step, span: statement.span }))
+        }
+        StatementKind::Surface { .. } | StatementKind::Block { .. } | StatementKind::Include { .. } => None,
+    }
+}
+
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     New,
@@ -247,102 +247,11 @@ enum State {
     Done,
 }
 
-/// The error of giving a new meaning to a name that has one everywhere.
-fn fixed_name(name: &Name) -> Option<Diagnostic> {
-    let fixed = FIXED.iter().find(|(fixed, _)| *fixed == name.text).map(|(_, meaning)| (*meaning).to_owned());
-    let meaning =
-        fixed.or_else(|| functions::find(&name.text).map(|entry| format!("the function `{}`", entry.signature)))?;
-    let message = format!("`{}` is {meaning} and cannot be defined anew", name.text);
-    Some(Diagnostic::error(name.span, message).help(format!("take another name, such as `{}1`", name.text)))
-}
-
-fn repeated_parameter(parameters: &[Name]) -> Option<Diagnostic> {
-    let repeated = parameters.iter().enumerate().find_map(|(position, name)| {
-        let first = parameters[..position].iter().find(|first| first.text == name.text)?;
-        Some((first, name))
-    });
-    repeated.map(|(first, name)| {
-        let message = format!("two parameters have the name `{}`", name.text);
-        Diagnostic::error(name.span, message).also(first.span, "the first").help("give one of them another name")
-    })
-}
-
-/// Of each statement whether it is an `r = …` (or theta, rho, phi) that is a surface. A note says how each was read.
-fn ready_names_alone(program: &Program, diagnostics: &mut Vec<Diagnostic>) -> Vec<bool> {
-    let mut surfaces = vec![false; program.statements.len()];
-    for ready in READY {
-        let alone = |statement: &Statement| match &statement.kind {
-            StatementKind::Definition { name, .. } => (name.text == ready).then_some(name.span),
-            _ => None,
-        };
-        let mut users: Vec<usize> = Vec::new();
-        if program.statements.iter().any(|statement| alone(statement).is_some()) {
-            let statements = program.statements.iter().enumerate();
-            users.extend(statements.filter(|(_, statement)| uses(statement, ready)).map(|(position, _)| position));
-        }
-        for (position, statement) in program.statements.iter().enumerate() {
-            if let Some(span) = alone(statement) {
-                surfaces[position] = users.iter().take(2).all(|&user| user == position);
-                diagnostics.push(reading_note(ready, surfaces[position], span));
-            }
-        }
-    }
-    surfaces
-}
-
-fn reading_note(name: &str, surface: bool, span: Span) -> Diagnostic {
-    let meaning = super::ready_meaning(name);
-    if surface {
-        let message = format!("read as the surface `{meaning} = ...`, because no other statement uses `{name}`");
-        Diagnostic::note(span, message).help("take another name for a definition")
-    } else {
-        let message = format!("read as a definition of `{name}`, because another statement uses it");
-        Diagnostic::note(span, message).help(format!("write `{meaning} = ...` for the surface"))
-    }
-}
-
-/// Whether a statement uses a name that it does not bind itself.
-fn uses(statement: &Statement, name: &str) -> bool {
-    let mut found = false;
-    let mut look = |used: &str| found |= used == name;
-    let mut bound = Vec::new();
-    match &statement.kind {
-        StatementKind::Surface { left, right, attributes } => {
-            each_name(left, &mut bound, &mut look);
-            if let Some(right) = right {
-                each_name(right, &mut bound, &mut look);
-            }
-            attributes.iter().for_each(|attribute| each_name_of_attribute(attribute, &mut look));
-        }
-        StatementKind::Definition { value, .. } => each_name(value, &mut bound, &mut look),
-        StatementKind::Function { parameters, body, .. } => {
-            bound.extend(parameters.iter().map(|name| name.text.as_str()));
-            each_name(body, &mut bound, &mut look);
-        }
-        StatementKind::Parameter { value, low, high, step, .. } => {
-            for part in [Some(value), Some(low), Some(high), step.as_ref()].into_iter().flatten() {
-                each_name(part, &mut bound, &mut look);
-            }
-        }
-        StatementKind::Block { attributes, .. } => {
-            attributes.iter().for_each(|attribute| each_name_of_attribute(attribute, &mut look));
-        }
-        StatementKind::Include { .. } => {}
-    }
-    found
-}
-
-fn each_name_of_attribute(attribute: &Attribute, look: &mut dyn FnMut(&str)) {
-    match &attribute.value {
-        AttributeValue::Expr(value) => each_name(value, &mut Vec::new(), look),
-        AttributeValue::Box(ranges, _) => {
-            for (low, high) in ranges {
-                each_name(low, &mut Vec::new(), look);
-                each_name(high, &mut Vec::new(), look);
-            }
-        }
-        AttributeValue::Color(..) | AttributeValue::Text(..) | AttributeValue::Size(..) => {}
-    }
+/// Reading `r` as the program's own name is worth a note, since it has a meaning without one.
+fn note_of_ready_name(name: &Name) -> Option<Diagnostic> {
+    let meaning = meanings::ready_meaning(&name.text)?;
+    let message = format!("`{0}` is read as the program's own {0}, not as `{meaning}`", name.text);
+    Some(Diagnostic::note(name.span, message).help(format!("write `{meaning}`, or take another name for your own")))
 }
 
 /// Calls `look` with every name of an expression that is not bound by a series or by `bound`.

@@ -86,7 +86,7 @@ impl<'a> Lowerer<'a> {
 
     fn term(&mut self, series: Series<'a>, item: Value, span: Span) -> Reporting<Value> {
         self.count_terms(1, span)?;
-        self.scope.push((series.variable.text.as_str(), item));
+        self.scope.push((series.variable.text.as_str(), Ok(item)));
         let value = self.expr(series.body);
         self.scope.pop();
         value

@@ -49,9 +49,9 @@ impl<'a> Lowerer<'a> {
                     wanted = true;
                     self.surface(left, right.as_ref(), attributes, statement.span);
                 }
-                StatementKind::Definition { name, value } if self.names.surfaces[position] => {
+                StatementKind::Function { name, parameters, body } if self.names.equations[position] => {
                     wanted = true;
-                    self.ready_surface(name, value, statement.span);
+                    self.value_of_function(name, parameters, body, statement.span);
                 }
                 StatementKind::Block { kind, attributes, .. } => self.block(*kind, attributes, statement.span),
                 StatementKind::Include { path_span, .. } => {
@@ -135,14 +135,15 @@ impl<'a> Lowerer<'a> {
         self.graph.reachable(&[f]).iter().all(|&id| !matches!(self.graph.op(id), Op::Variable(_)))
     }
 
-    /// `r = 1` where no other statement uses r.
-    fn ready_surface(&mut self, name: &'a Name, value: &'a Expr, span: Span) {
-        let left = self.ready(&name.text, name.span);
-        let left = Placed { value: left, span: name.span };
-        let Ok(right) = self.placed(value) else { return };
-        let Ok(right) = self.side_of_equation(right) else { return };
-        let Ok(difference) = self.add_values(left, Side::Under, right, span) else { return };
-        if let Value::Number(f) = difference {
+    /// `f(x, y, z) = 0` where f is defined by an earlier statement.
+    fn value_of_function(&mut self, name: &'a Name, arguments: &'a [Name], body: &'a Expr, span: Span) {
+        let head = arguments.last().map_or(name.span, |last| name.span.to(last.span));
+        let left = self.call_by_names(name, arguments, head);
+        let right = self.placed(body);
+        let (Ok(left), Ok(right)) = (left, right) else { return };
+        let left = self.side_of_equation(Placed { value: left, span: head });
+        let (Ok(left), Ok(right)) = (left, self.side_of_equation(right)) else { return };
+        if let Ok(Value::Number(f)) = self.add_values(left, Side::Under, right, span) {
             self.draw(SurfaceFormula::plain(f, Kind::Equation, span));
         }
     }
@@ -161,7 +162,7 @@ impl<'a> Lowerer<'a> {
         let Some((parameters, body)) = self.graph_of_function(only) else { return };
         let coordinates = self.coordinates(span);
         let values = coordinates[..parameters.len()].iter().map(|&id| Value::Number(id)).collect();
-        let Ok(value) = self.applied(only, parameters, body, values, span) else { return };
+        let Ok(value) = self.applied(only, values, span) else { return };
         let (f, kind, equation) = match (value, parameters.len()) {
             (Value::Region(region), _) => (region.side, Kind::Solid, text),
             (Value::Number(f), 2) => {

@@ -153,7 +153,7 @@ fn deflated(p: &Polynomial) -> (Exponents, Polynomial) {
     for (e, c) in p.terms() {
         let mut exponents = *e;
         for (e, s) in exponents.iter_mut().zip(strides) {
-            *e = if s == 0 { 0 } else { *e / s };
+            *e = e.checked_div(s).unwrap_or(0);
         }
         q.add_term(exponents, c.clone());
     }

@@ -111,11 +111,10 @@ impl Polynomial {
 
     /// a·factor.
     pub fn scaled(&self, factor: &BigInt) -> Self {
-        let mut p = Self::default();
-        if !factor.is_zero() {
-            p.terms = self.terms.iter().map(|(e, c)| (*e, c * factor)).collect();
+        if factor.is_zero() {
+            return Self::default();
         }
-        p
+        Polynomial { terms: self.terms.iter().map(|(e, c)| (*e, c * factor)).collect() }
     }
 
     /// a + b.
@@ -169,9 +168,7 @@ impl Polynomial {
     /// The polynomial without its content: the last coefficient is > 0.
     pub fn primitive(&self) -> Self {
         let content = self.content();
-        let mut p = Self::default();
-        p.terms = self.terms.iter().map(|(e, c)| (*e, c / &content)).collect();
-        p
+        Polynomial { terms: self.terms.iter().map(|(e, c)| (*e, c / &content)).collect() }
     }
 
     /// v·∂/∂v for the letter v: like the derivative, but keeping the parity of every exponent.

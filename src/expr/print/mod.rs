@@ -7,7 +7,6 @@ use super::graph::{Graph, NodeId};
 use super::op::{Op, Variable};
 use crate::num::rational::Rational;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// How tightly a form binds, loosest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -110,10 +109,6 @@ fn write(
         open.extend(pieces.into_iter().rev());
     }
     (out.len() <= limit).then_some(out)
-}
-
-fn is_negative(graph: &Graph, id: NodeId) -> bool {
-    graph.constant(id).is_some_and(Rational::is_negative)
 }
 
 fn variable_name(variable: Variable) -> &'static str {

@@ -1,6 +1,6 @@
 use super::{definitions, latex, text};
 use crate::expr::estimate::Random;
-use crate::expr::formula::formula;
+use crate::expr::formula::{formula, typed};
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::Op;
 
@@ -126,4 +126,41 @@ fn what_is_shared_is_named_once() {
     assert_eq!(list[0], ("t1".to_string(), "x + y".to_string()));
     assert_eq!(list[1].1, "t1*sin(t1)");
     assert_eq!(last, "t60*sin(t60)");
+}
+
+/// The node made again in another graph.
+fn transplanted(from: &Graph, root: NodeId, to: &mut Graph) -> NodeId {
+    let mut all = vec![NodeId(0); from.len()];
+    for id in from.reachable(&[root]) {
+        let args: Vec<NodeId> = from.args(id).iter().map(|a| all[a.0 as usize]).collect();
+        all[id.0 as usize] = match from.constant(id) {
+            Some(c) => to.number(c.clone()),
+            None => to.apply(from.op(id), &args),
+        };
+    }
+    all[root.0 as usize]
+}
+
+#[test]
+fn text_reads_back_by_the_language_itself() {
+    let mut random = Random(13);
+    let mut compared = 0;
+    for _ in 0..4000 {
+        let mut graph = Graph::new();
+        let id = random_node(&mut graph, &mut random);
+        let nodes = graph.reachable(&[id]);
+        let whole = |id: &NodeId| {
+            graph.op(*id) == Op::Pow && graph.constant(graph.args(*id)[1]).is_some_and(|c| c.is_integer())
+        };
+        let varies = nodes.iter().any(|id| matches!(graph.op(*id), Op::Variable(_)));
+        if nodes.iter().any(whole) || !varies || matches!(graph.op(id), Op::Variable(_)) {
+            continue;
+        }
+        let Some(shown) = text(&graph, id, 1000) else { continue };
+        let (mut read, f) = typed(&format!("{shown} = 0"));
+        let expected = transplanted(&graph, id, &mut read);
+        assert_eq!(f, expected, "{shown} became {:?}", text(&read, f, 2000));
+        compared += 1;
+    }
+    assert!(compared > 2000, "{compared}");
 }

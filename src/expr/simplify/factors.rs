@@ -173,6 +173,10 @@ pub(super) fn power_of_root(graph: &mut Graph, op: Op, args: &[NodeId]) -> Optio
     match graph.op(a) {
         Op::Sqrt if n % 2 == 0 && graph.is_nonnegative(u) => Some(graph.apply(Op::Power(n / 2), &[u])),
         Op::Root(m) if n % i64::from(m) == 0 => Some(graph.apply(Op::Power(n / i64::from(m)), &[u])),
+        Op::E => {
+            let n = graph.integer(n);
+            Some(graph.apply(Op::Exp, &[n]))
+        }
         Op::Exp => {
             let u = graph.multiple(&Rational::from_integer(n), u)?;
             Some(graph.apply(Op::Exp, &[u]))

@@ -61,7 +61,7 @@ pub static RULES: [Rule; 33] = [
     rule("power of a power", "(u^2)^3 = u^6, (1/u)^2 = u^-2; not (u^-1)^-1", factors::power_of_power),
     rule(
         "power of a root",
-        "root(3, u)^3 = u; sqrt(u)^2 = u where u >= 0 is known; exp(u)^2 = exp(2*u)",
+        "root(3, u)^3 = u; sqrt(u)^2 = u where u >= 0 is known; exp(u)^2 = exp(2*u), e^2 = exp(2)",
         factors::power_of_root,
     ),
     rule("even power", "(-u)^2 = u^2, |u|^2 = u^2, (-u)^3 = -u^3", factors::parity),

@@ -4,6 +4,7 @@
 //! wish. The classical reduction by multiples of ln 2 (Muller, Elementary Functions, 3rd ed., section 11.1).
 
 use super::coefficients::{EXP, LN_2};
+use super::double_double::fast_two_sum;
 use super::{ROUNDER, polynomial};
 use crate::num::level::Level;
 
@@ -19,6 +20,21 @@ pub fn exp<L: Level>(a: f64) -> f64 {
 /// e^(a + low)·2^shift, |low| below 2^-30, for a small whole shift.
 #[inline(always)]
 pub(super) fn exp_scaled<L: Level>(a: f64, low: f64, shift: f64) -> f64 {
+    let (s, e, k) = exp_parts::<L>(a, low);
+    scale(s + e, k + shift)
+}
+
+/// e^a·2^shift as a sum of two.
+#[inline(always)]
+pub(super) fn exp_sum<L: Level>(a: f64, shift: f64) -> (f64, f64) {
+    let (s, e, k) = exp_parts::<L>(a, 0.0);
+    let (p, rest) = fast_two_sum(s, e);
+    (scale(p, k + shift), scale(rest, k + shift))
+}
+
+/// (s, e, k): e^(a + low) = (s + e)·2^k.
+#[inline(always)]
+fn exp_parts<L: Level>(a: f64, low: f64) -> (f64, f64, f64) {
     let a = if a > OVERFLOW { OVERFLOW } else { a };
     let a = if a < -OVERFLOW { -OVERFLOW } else { a };
     let k = L::fma(a, std::f64::consts::LOG2_E, ROUNDER) - ROUNDER;
@@ -27,9 +43,8 @@ pub(super) fn exp_scaled<L: Level>(a: f64, low: f64, shift: f64) -> f64 {
     let t = k * LN_2[1] - low;
     let r = high - t;
     let rest = (high - r) - t;
-    let s = 1.0 + r;
-    let p = s + (((1.0 - s) + r) + L::fma(r * r, polynomial::<L, _>(&EXP, r), rest * s));
-    scale(p, k + shift)
+    let (s, e) = fast_two_sum(1.0, r);
+    (s, e + L::fma(r * r, polynomial::<L, _>(&EXP, r), rest * s), k)
 }
 
 /// p·2^k for whole |k| < 2000: in two steps, so that subnormal results come out by one rounding and

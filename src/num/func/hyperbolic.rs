@@ -5,7 +5,7 @@
 
 use super::coefficients::SINH;
 use super::double_double::{fast_two_sum, sqrt, two_product, two_sum};
-use super::exponential::exp_scaled;
+use super::exponential::exp_sum;
 use super::logarithm::ln_sum;
 use super::polynomial;
 use crate::num::level::Level;
@@ -16,37 +16,61 @@ const SMALL: f64 = 1e-4;
 /// Above, a² would overflow and 2·a is a ± √(a² ± 1) to the last place.
 const LARGE: f64 = 1e150;
 
+/// From here on tanh is 1 to the last place.
+const SATURATED: f64 = 40.0;
+
 /// hyperbolic sine
 #[inline(always)]
 pub fn sinh<L: Level>(a: f64) -> f64 {
     let x = a.abs();
-    let half = exp_scaled::<L>(x, 0.0, -1.0);
-    let far = half - 0.25 / half;
-    if x < 1.0 { sinh_near::<L>(x) } else { far }.copysign(a)
+    let (half, low) = exp_sum::<L>(x, -1.0);
+    let (q, q_low) = quarter_over::<L>(half, low);
+    let (s, e) = fast_two_sum(half, -q);
+    let far = s + (e + (low - q_low));
+    let far = if half < f64::INFINITY { far } else { half };
+    let (near, rest) = sinh_near::<L>(x);
+    if x < 1.0 { near + rest } else { far }.copysign(a)
 }
 
 /// hyperbolic cosine
 #[inline(always)]
 pub fn cosh<L: Level>(a: f64) -> f64 {
-    let half = exp_scaled::<L>(a.abs(), 0.0, -1.0);
-    half + 0.25 / half
+    let (half, low) = exp_sum::<L>(a.abs(), -1.0);
+    let (q, q_low) = quarter_over::<L>(half, low);
+    let (s, e) = fast_two_sum(half, q);
+    let value = s + (e + (low + q_low));
+    if half < f64::INFINITY { value } else { half }
 }
 
 /// hyperbolic tangent
 #[inline(always)]
 pub fn tanh<L: Level>(a: f64) -> f64 {
     let x = a.abs();
-    let half = exp_scaled::<L>(x, 0.0, -1.0);
-    let near = sinh_near::<L>(x) / (half + 0.25 / half);
-    let far = 1.0 - 2.0 / L::fma(4.0 * half, half, 1.0);
-    if x < 1.0 { near } else { far }.copysign(a)
+    let x = if x > SATURATED { SATURATED } else { x };
+    let (half, low) = exp_sum::<L>(x, -1.0);
+    let (q, q_low) = quarter_over::<L>(half, low);
+    let (c, c_low) = fast_two_sum(half, q);
+    let (far, far_low) = fast_two_sum(half, -q);
+    let (near, near_low) = sinh_near::<L>(x);
+    let s = if x < 1.0 { near } else { far };
+    let s_low = if x < 1.0 { near_low } else { far_low + (low - q_low) };
+    let t = s / c;
+    let value = t + (L::fma(-t, c, s) + (s_low - t * (c_low + (low + q_low)))) / c;
+    value.copysign(a)
 }
 
-/// sinh x for 0 ≤ x ≤ 1.
+/// 1/(4·(half + low)) as a sum of two.
 #[inline(always)]
-fn sinh_near<L: Level>(x: f64) -> f64 {
+fn quarter_over<L: Level>(half: f64, low: f64) -> (f64, f64) {
+    let q = 0.25 / half;
+    (q, (L::fma(-q, half, 0.25) - q * low) * (4.0 * q))
+}
+
+/// sinh x for 0 ≤ x ≤ 1, as a sum of two.
+#[inline(always)]
+fn sinh_near<L: Level>(x: f64) -> (f64, f64) {
     let z = x * x;
-    L::fma(x * z, polynomial::<L, _>(&SINH, z), x)
+    fast_two_sum(x, x * z * polynomial::<L, _>(&SINH, z))
 }
 
 /// inverse hyperbolic sine

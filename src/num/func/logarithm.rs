@@ -67,7 +67,8 @@ fn reduce<L: Level>(h: f64, l: f64) -> (f64, f64, f64) {
     let biased = f64::from_bits(((offset ^ (1 << 63)) >> 52) | 0x4330_0000_0000_0000);
     let k = biased - (4503599627370496.0 + 2048.0) - if subnormal { 54.0 } else { 0.0 };
     let m = f64::from_bits(bits.wrapping_sub(power));
-    let low = l * f64::from_bits((1023_u64 << 52).wrapping_sub(power));
+    let scaled_low = l * f64::from_bits((1023_u64 << 52).wrapping_sub(power));
+    let low = if l == 0.0 { 0.0 } else { scaled_low };
     let (s, t) = twice_artanh::<L>(m - 1.0, low);
     (k, s, t)
 }

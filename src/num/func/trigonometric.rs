@@ -6,7 +6,7 @@
 //! and patch the rare large angles afterwards.
 
 use super::coefficients::{COS, HALF_PI, SIN, TWO_OVER_PI};
-use super::double_double::{product, two_sum};
+use super::double_double::{fast_two_sum, product, two_sum};
 use super::{ROUNDER, polynomial};
 use crate::num::level::{Level, Portable};
 
@@ -35,8 +35,7 @@ pub fn sin_cos<L: Level>(a: f64) -> (f64, f64) {
 /// tangent; finite for every f64, for none is a pole
 #[inline(always)]
 pub fn tan<L: Level>(a: f64) -> f64 {
-    let (s, c) = sin_cos::<L>(a);
-    s / c
+    if a.abs() > REDUCIBLE { tan_of_large(a) } else { tan_reducible::<L>(a) }
 }
 
 /// sine for |a| ≤ [`REDUCIBLE`]
@@ -67,8 +66,20 @@ pub fn sin_cos_reducible<L: Level>(a: f64) -> (f64, f64) {
 /// tangent for |a| ≤ [`REDUCIBLE`]
 #[inline(always)]
 pub fn tan_reducible<L: Level>(a: f64) -> f64 {
-    let (s, c) = sin_cos_reducible::<L>(a);
-    s / c
+    let (r, low, quadrant) = reduce::<L>(a);
+    quotient::<L>(r, low, quadrant)
+}
+
+/// tan(r + low + quadrant·π/2): the quotient of the sums, its remainder divided once more.
+#[inline(always)]
+fn quotient<L: Level>(r: f64, low: f64, quadrant: u64) -> f64 {
+    let (s, s_low) = sin_sum::<L>(r, low);
+    let (c, c_low) = cos_sum::<L>(r, low);
+    let even = quadrant & 1 == 0;
+    let (n, n_low) = if even { (s, s_low) } else { (-c, -c_low) };
+    let (d, d_low) = if even { (c, c_low) } else { (s, s_low) };
+    let t = n / d;
+    t + (L::fma(-t, d, n) + (n_low - t * d_low)) / d
 }
 
 /// sine and cosine of r + low + quadrant·π/2.
@@ -101,15 +112,29 @@ fn sin_near<L: Level>(r: f64, low: f64) -> f64 {
     r + L::fma(z * r, polynomial::<L, _>(&SIN, z), tail)
 }
 
+/// [`sin_near`] as a sum of two.
+#[inline(always)]
+fn sin_sum<L: Level>(r: f64, low: f64) -> (f64, f64) {
+    let z = r * r;
+    let tail = L::fma(-0.5 * z, low, low);
+    fast_two_sum(r, L::fma(z * r, polynomial::<L, _>(&SIN, z), tail))
+}
+
 /// cos(r + low), |r| ≤ π/4.
 #[inline(always)]
 fn cos_near<L: Level>(r: f64, low: f64) -> f64 {
+    cos_sum::<L>(r, low).0
+}
+
+/// [`cos_near`] as a sum of two.
+#[inline(always)]
+fn cos_sum<L: Level>(r: f64, low: f64) -> (f64, f64) {
     let z = r * r;
     let half = 0.5 * z;
     let w = 1.0 - half;
     let z_error = L::fma(r, r, -z);
     let tail = L::fma(-r, low, -0.5 * z_error);
-    w + (((1.0 - w) - half) + L::fma(z * z, polynomial::<L, _>(&COS, z), tail))
+    fast_two_sum(w, ((1.0 - w) - half) + L::fma(z * z, polynomial::<L, _>(&COS, z), tail))
 }
 
 /// sine and cosine of |a| > [`REDUCIBLE`]; the same bits at every level.
@@ -122,6 +147,18 @@ pub fn sin_cos_of_large(a: f64) -> (f64, f64) {
     let (r, low, quadrant) = reduce_large(a.abs());
     let (s, c) = turn::<Portable>(r, low, quadrant);
     (if a < 0.0 { -s } else { s }, c)
+}
+
+/// tangent of |a| > [`REDUCIBLE`]; the same bits at every level.
+#[cold]
+#[inline(never)]
+pub fn tan_of_large(a: f64) -> f64 {
+    if !a.is_finite() {
+        return f64::NAN;
+    }
+    let (r, low, quadrant) = reduce_large(a.abs());
+    let t = quotient::<Portable>(r, low, quadrant);
+    if a < 0.0 { -t } else { t }
 }
 
 /// (r, low, k): a = r + low + k·π/2 for finite a ≥ 2^20. a·2/π modulo 4 needs only the bits of 2/π that weigh

@@ -6,8 +6,7 @@
 use super::round::{above, above_vanishing, below, product_down, product_up, quotient_down, quotient_up};
 use super::round::{root_down, root_up, sum_down, sum_up};
 use super::{Enclosure, Interval};
-use crate::num::func::{self, bound};
-use crate::num::level::Portable;
+use crate::num::func::{self, bound, native};
 
 /// Whole powers up to this size have the stated error bound; larger ones lose 2^-104 of relative precision a
 /// squaring, which the bound then grows by.
@@ -134,7 +133,7 @@ pub(super) fn power_down(a: f64, n: i64) -> f64 {
     if a == 0.0 || a.is_infinite() || n == 1 {
         return infinite_power(a, n);
     }
-    let p = func::power::<Portable>(a, n);
+    let p = native::power(a, n);
     let positive = a > 0.0 || n % 2 == 0;
     if positive { below(p, power_bound(n)).max(0.0) } else { -above_vanishing(-p, power_bound(n)) }
 }
@@ -144,7 +143,7 @@ pub(super) fn power_up(a: f64, n: i64) -> f64 {
     if a == 0.0 || a.is_infinite() || n == 1 {
         return infinite_power(a, n);
     }
-    let p = func::power::<Portable>(a, n);
+    let p = native::power(a, n);
     let positive = a > 0.0 || n % 2 == 0;
     if positive { above_vanishing(p, power_bound(n)) } else { above(p, power_bound(n)).min(0.0) }
 }

@@ -6,8 +6,7 @@
 
 use super::round::{above, above_vanishing, below};
 use super::{Enclosure, Interval};
-use crate::num::func::{self, bound};
-use crate::num::level::Portable;
+use crate::num::func::{bound, native};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The f64 next above π/2 and π, whose nearest f64 lie below them.
@@ -27,7 +26,7 @@ impl Interval {
 
     /// e^a
     pub fn exp(self) -> Enclosure {
-        let (lo, hi) = (func::exp::<Portable>(self.lo), func::exp::<Portable>(self.hi));
+        let (lo, hi) = (native::exp(self.lo), native::exp(self.hi));
         let hi = if self.hi == f64::INFINITY { hi } else { above_vanishing(hi, bound::EXP) };
         let hi = if self.hi == f64::NEG_INFINITY { 0.0 } else { hi };
         let exact = if self.lo == 0.0 { 1.0 } else { below(lo, bound::EXP).max(0.0) };
@@ -47,22 +46,22 @@ impl Interval {
 
     /// natural logarithm
     pub fn ln(self) -> Enclosure {
-        self.logarithm(func::ln::<Portable>)
+        self.logarithm(native::ln)
     }
 
     /// logarithm to base 2
     pub fn log2(self) -> Enclosure {
-        self.logarithm(func::log2::<Portable>)
+        self.logarithm(native::log2)
     }
 
     /// logarithm to base 10
     pub fn log10(self) -> Enclosure {
-        self.logarithm(func::log10::<Portable>)
+        self.logarithm(native::log10)
     }
 
     /// arctangent
     pub fn atan(self) -> Enclosure {
-        Enclosure::total(self.rising(func::atan::<Portable>, bound::ATAN).within(-HALF_PI_UP, HALF_PI_UP))
+        Enclosure::total(self.rising(native::atan, bound::ATAN).within(-HALF_PI_UP, HALF_PI_UP))
     }
 
     /// The part of the box in [lo, hi], and whether that is all of it; `None` when there is none.
@@ -74,7 +73,7 @@ impl Interval {
     /// arcsine
     pub fn asin(self) -> Enclosure {
         let Some((inside, all)) = self.domain(-1.0, 1.0) else { return Enclosure::NOWHERE };
-        let range = inside.rising(func::asin::<Portable>, bound::ASIN).within(-HALF_PI_UP, HALF_PI_UP);
+        let range = inside.rising(native::asin, bound::ASIN).within(-HALF_PI_UP, HALF_PI_UP);
         if all { Enclosure::total(range) } else { Enclosure::partial(range) }
     }
 
@@ -82,13 +81,13 @@ impl Interval {
     pub fn acos(self) -> Enclosure {
         let Some((inside, all)) = self.domain(-1.0, 1.0) else { return Enclosure::NOWHERE };
         let falling = Interval { lo: inside.hi, hi: inside.lo };
-        let range = falling.rising(func::acos::<Portable>, bound::ACOS).within(0.0, PI_UP);
+        let range = falling.rising(native::acos, bound::ACOS).within(0.0, PI_UP);
         if all { Enclosure::total(range) } else { Enclosure::partial(range) }
     }
 
     /// hyperbolic sine
     pub fn sinh(self) -> Enclosure {
-        let mut range = self.rising(func::sinh::<Portable>, bound::SINH);
+        let mut range = self.rising(native::sinh, bound::SINH);
         if self.lo == f64::NEG_INFINITY {
             range.lo = self.lo;
         }
@@ -101,19 +100,19 @@ impl Interval {
     /// hyperbolic cosine
     pub fn cosh(self) -> Enclosure {
         let size = self.abs().range;
-        let lo = if size.lo == 0.0 { 1.0 } else { below(func::cosh::<Portable>(size.lo), bound::COSH).max(1.0) };
-        let hi = if size.hi == 0.0 { 1.0 } else { above(func::cosh::<Portable>(size.hi), bound::COSH) };
+        let lo = if size.lo == 0.0 { 1.0 } else { below(native::cosh(size.lo), bound::COSH).max(1.0) };
+        let hi = if size.hi == 0.0 { 1.0 } else { above(native::cosh(size.hi), bound::COSH) };
         Enclosure::total(Interval { lo, hi })
     }
 
     /// hyperbolic tangent
     pub fn tanh(self) -> Enclosure {
-        Enclosure::total(self.rising(func::tanh::<Portable>, bound::TANH).within(-1.0, 1.0))
+        Enclosure::total(self.rising(native::tanh, bound::TANH).within(-1.0, 1.0))
     }
 
     /// inverse hyperbolic sine
     pub fn asinh(self) -> Enclosure {
-        let mut range = self.rising(func::asinh::<Portable>, bound::ASINH);
+        let mut range = self.rising(native::asinh, bound::ASINH);
         if self.lo == f64::NEG_INFINITY {
             range.lo = self.lo;
         }
@@ -123,7 +122,7 @@ impl Interval {
     /// inverse hyperbolic cosine
     pub fn acosh(self) -> Enclosure {
         let Some((inside, all)) = self.domain(1.0, f64::INFINITY) else { return Enclosure::NOWHERE };
-        let range = inside.rising(func::acosh::<Portable>, bound::ASINH);
+        let range = inside.rising(native::acosh, bound::ASINH);
         if all { Enclosure::total(range) } else { Enclosure::partial(range) }
     }
 
@@ -133,20 +132,20 @@ impl Interval {
             return Enclosure::NOWHERE;
         }
         let all = self.lo > -1.0 && self.hi < 1.0;
-        let lo = if self.lo > -1.0 { below(func::atanh::<Portable>(self.lo), bound::ASINH) } else { f64::NEG_INFINITY };
-        let hi = if self.hi < 1.0 { above(func::atanh::<Portable>(self.hi), bound::ASINH) } else { f64::INFINITY };
+        let lo = if self.lo > -1.0 { below(native::atanh(self.lo), bound::ASINH) } else { f64::NEG_INFINITY };
+        let hi = if self.hi < 1.0 { above(native::atanh(self.hi), bound::ASINH) } else { f64::INFINITY };
         let range = Interval { lo, hi };
         if all { Enclosure::total(range) } else { Enclosure::partial(range) }
     }
 
     /// error function
     pub fn erf(self) -> Enclosure {
-        Enclosure::total(self.rising(func::erf::<Portable>, bound::ERF).within(-1.0, 1.0))
+        Enclosure::total(self.rising(native::erf, bound::ERF).within(-1.0, 1.0))
     }
 
     /// real root of odd order n ≥ 3
     pub fn root(self, n: u32) -> Enclosure {
-        let down = |a: f64| if a.is_infinite() { a } else { below(func::root::<Portable>(a, n), bound::POW) };
+        let down = |a: f64| if a.is_infinite() { a } else { below(native::root(a, n), bound::POW) };
         let up = |a: f64| -down(-a);
         Enclosure::total(Interval { lo: down(self.lo), hi: up(self.hi) })
     }
@@ -240,7 +239,7 @@ fn angle_bounds((y, x): (f64, f64)) -> Interval {
         _ if y == 0.0 => straight,
         _ if x == 0.0 => half,
         _ => {
-            let angle = func::atan2::<Portable>(y, x);
+            let angle = native::atan2(y, x);
             Interval::new(below(angle, bound::ATAN), above_vanishing(angle, bound::ATAN)).within(0.0, PI_UP)
         }
     }
@@ -255,6 +254,6 @@ fn power_at_corner(a: f64, b: f64) -> Interval {
         let grows = (a > 1.0) == (b > 0.0);
         return Interval::point(if grows { f64::INFINITY } else { 0.0 });
     }
-    let p = func::pow::<Portable>(a, b);
+    let p = native::pow(a, b);
     Interval::new(below(p, bound::POW).max(0.0), above_vanishing(p, bound::POW))
 }

@@ -5,7 +5,7 @@
 //! for it: when the hull contains 0 but no piece does, there is no root.
 
 use super::{Enclosure, Interval};
-use std::f64::consts::FRAC_2_PI;
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Up to four intervals.
 #[derive(Clone, Copy, Debug)]
@@ -131,27 +131,17 @@ impl Interval {
         if one != Interval::WHOLE || !(self.width() < 3.0) {
             return Pieces::of(&[one]);
         }
-        // The pole is some m·π/2 with m odd; a box with its f64 neighbours inside is split about those.
+        // The nearest odd multiple of π/2. The tangent rises on both sides of it, from the lower end to ∞ and from −∞
+        // to the upper end; an end nearer to the pole than its rounding is moved away, which only widens.
         let turns = 0.5 * (self.lo + self.hi) * FRAC_2_PI;
-        let odd = 2.0 * (turns * 0.5).floor() + 1.0;
-        let near = odd * std::f64::consts::FRAC_PI_2;
-        let margin = near.abs() * 4.0 * f64::EPSILON;
-        let before = self.intersection(Interval::new(f64::NEG_INFINITY, near - margin)).tan_rising();
-        let after = self.intersection(Interval::new(near + margin, f64::INFINITY)).tan_rising();
-        let (Some(before), Some(after)) = (before, after) else { return Pieces::of(&[one]) };
-        Pieces::of(&[
-            if before.is_empty() { before } else { Interval { lo: before.lo, hi: f64::INFINITY } },
-            if after.is_empty() { after } else { Interval { lo: f64::NEG_INFINITY, hi: after.hi } },
-        ])
-    }
-
-    /// The tangent's range if no pole can be in the box; `None` if one can.
-    fn tan_rising(self) -> Option<Interval> {
-        if self.is_empty() {
-            return Some(self);
+        let pole = (2.0 * (turns * 0.5).floor() + 1.0) * FRAC_PI_2;
+        let margin = pole.abs() * 16.0 * f64::EPSILON;
+        let before = Interval::new(self.lo.min(pole - margin), pole - margin).tan();
+        let after = Interval::new(pole + margin, self.hi.max(pole + margin)).tan();
+        if !(before.continuous && after.continuous) {
+            return Pieces::of(&[one]);
         }
-        let all = self.tan();
-        all.continuous.then_some(all.range)
+        Pieces::of(&[Interval::new(before.range.lo, f64::INFINITY), Interval::new(f64::NEG_INFINITY, after.range.hi)])
     }
 
     /// The angle of (x = b, y = a) on each side of its cut y = 0, x < 0.

@@ -4,6 +4,7 @@
 //! value. The sums, products, quotients and roots are the tightest bounds: the rounding error itself is computed
 //! and its sign read. Separate because every operation of an interval ends here.
 
+use crate::num::func::bound::steps;
 use crate::num::fused;
 
 /// Where results are smaller than this, rounding errors of products may themselves be rounded away.
@@ -12,11 +13,14 @@ const EXACT_ERRORS: f64 = 1e-280;
 /// A few of the smallest f64: what rounding below the normal range may lose, doubled.
 const SUBNORMAL: f64 = 8e-323;
 
-/// One ulp is at most this part of a normal number.
-const ULP: f64 = f64::EPSILON;
+/// Results below this may have lost more than a rounding.
+const TINY: f64 = 1e-290;
 
-/// Lower bound of the values within `ulps` of the true one, for a result r that computed points may miss by as
-/// much again; 0 is exact.
+/// Up to this error bound, the outward steps are counted; above, they are a part of the number.
+const FEW_ULPS: f64 = 4.0;
+
+/// Lower bound of the exact value of a result r computed within `ulps`, and of the results computed at other
+/// points of a box that r is the least value on; 0 is exact.
 pub(super) fn below(r: f64, ulps: f64) -> f64 {
     if r == 0.0 {
         return 0.0;
@@ -24,7 +28,13 @@ pub(super) fn below(r: f64, ulps: f64) -> f64 {
     if r == f64::INFINITY {
         return f64::MAX;
     }
-    r - (2.0 * ulps * ULP * r.abs() + SUBNORMAL)
+    if ulps > FEW_ULPS {
+        return r - (2.5 * ulps * f64::EPSILON * r.abs() + SUBNORMAL);
+    }
+    if r.abs() < TINY {
+        return r - SUBNORMAL - r.abs() * (4.0 * ulps * f64::EPSILON);
+    }
+    (0..steps(ulps)).fold(r, |r, _| r.next_down())
 }
 
 /// Upper bound, as [`below`].

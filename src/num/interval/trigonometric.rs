@@ -6,8 +6,7 @@
 use super::round::{above, below};
 use super::{Enclosure, Interval};
 use crate::num::func::trigonometric::REDUCIBLE;
-use crate::num::func::{self, bound};
-use crate::num::level::Portable;
+use crate::num::func::{bound, native};
 use std::f64::consts::FRAC_2_PI;
 
 /// A quarter turn count a·2/π is wrong by less than this part of itself (two roundings).
@@ -44,20 +43,20 @@ impl Interval {
 
     /// sine
     pub fn sin(self) -> Enclosure {
-        self.wave(func::sin::<Portable>, 1.0)
+        self.wave(native::sin, 1.0)
     }
 
     /// cosine
     pub fn cos(self) -> Enclosure {
-        self.wave(func::cos::<Portable>, 0.0)
+        self.wave(native::cos, 0.0)
     }
 
     /// tangent
     pub fn tan(self) -> Enclosure {
         match self.quarter_turns() {
             Some(turns) if !turns.meets(1.0, 2.0) => Enclosure::total(Interval {
-                lo: below(func::tan::<Portable>(self.lo), bound::TAN),
-                hi: above(func::tan::<Portable>(self.hi), bound::TAN),
+                lo: below(native::tan(self.lo), bound::TAN),
+                hi: above(native::tan(self.hi), bound::TAN),
             }),
             _ => Enclosure::partial(Interval::WHOLE),
         }

@@ -24,7 +24,7 @@ fn chain(head: &str, line: &str, count: usize, tail: &str) -> String {
 
 #[test]
 fn doubling_stays_small_because_what_is_equal_is_shared() {
-    assert!(size(&chain("a_0 = sin(x)", "a_{k} = a_{j} + a_{j}*y", 60, "a_60 = 1")) < 200);
+    assert!(size(&chain("a_0 = sin(x)", "a_{k} = a_{j} + a_{j}*y", 60, "a_60 - 1")) < 200);
     assert!(size(&chain("f_0(u) = sin(u)", "f_{k}(u) = f_{j}(u) + f_{j}(u)*y", 60, "f_60(x) = 1")) < 200);
     assert!(size(&chain("f_0(u) = u^2 + x", "f_{k}(u) = f_{j}(f_{j}(u))", 6, "f_6(y) = 1")) < 200);
     assert!(size(&chain("v_0 = p", "v_{k} = v_{j} + cross(v_{j}, p)", 60, "v_60.x = 1")) < 3000);
@@ -55,10 +55,10 @@ fn limits_are_errors_with_a_place() {
         ("legendre(90000, x)".to_owned(), "too large"),
         ("x^100000000000000000000 = 1".to_owned(), "this exponent is too large"),
         ("x^(1/100000000000001) = 1".to_owned(), "the order of this root is too large"),
-        (chain("a_0 = x", "a_{k} = a_{j} + 1", 1500, "a_1500 = 0"), "more than 1000 definitions"),
+        (chain("a_0 = x", "a_{k} = a_{j} + 1", 1500, "a_1500"), "more than 1000 definitions"),
         (chain("f_0(u) = u", "f_{k}(u) = f_{j}(sin(u)) + 1", 900, "f_900(x) = 0"), "nested too deep"),
         (format!("f(u) = sin(u + 1); {} = 0", deep(200)), ""),
-        (chain("a_0 = x", "a_{k} = sin(cos(sin(cos(sin(cos(a_{j}))))))", 900, "a_900 = 0"), "too deep in one another"),
+        (chain("a_0 = x", "a_{k} = sin(cos(sin(cos(sin(cos(a_{j}))))))", 900, "a_900"), "too deep in one another"),
     ];
     for (text, words) in rows {
         let start = std::time::Instant::now();
@@ -76,7 +76,7 @@ fn limits_are_errors_with_a_place() {
 
 #[test]
 fn chains_within_the_limits_work() {
-    assert!(size(&chain("a_0 = x", "a_{k} = a_{j}*x + 1", 900, "a_900 = 0")) > 900);
+    assert!(size(&chain("a_0 = x", "a_{k} = a_{j}*x + 1", 900, "a_900")) > 900);
     assert!(size(&chain("f_0(u) = u", "f_{k}(u) = f_{j}(u)*u + 1", 150, "f_150(x) = 0")) > 150);
     assert!(size(&("sin(".repeat(100) + "x" + &")".repeat(100) + " = 0")) > 100);
 }
