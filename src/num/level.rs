@@ -79,12 +79,14 @@ macro_rules! for_each_level {
         $(#[$doc])*
         $vis fn $name<$($generic: $bound),*>(simd: $crate::num::level::Simd, $($arg: $type),*) $(-> $ret)? {
             fn portable<$($generic: $bound),*>($($arg: $type),*) $(-> $ret)? {
+                #[allow(dead_code)]
                 type $level = $crate::num::level::Portable;
                 $body
             }
             #[cfg(target_arch = "x86_64")]
             #[target_feature(enable = "avx2,fma")]
             fn fused<$($generic: $bound),*>($($arg: $type),*) $(-> $ret)? {
+                #[allow(dead_code)]
                 type $level = $crate::num::level::Fused;
                 $body
             }
