@@ -3,19 +3,17 @@
 //! In: rays with the part of each that is still open. Out: brackets on which g is monotone, for
 //! [`super::refine`]; rays proven empty; and rays that need [`super::careful`].
 //!
-//! A lane holds one ray and walks it from the front. Over its current slab [a, b] it encloses g.
+//! A lane holds one ray and walks it from the front. Over its current slab [a, b] it encloses g and g', and g at a.
 //! - 0 is not in g, or g has no value there: nothing is there. Go on behind it with twice the length.
-//! - Else: try the first half.
-//!
-//! Once the slabs are shorter than [`NARROW`], it encloses g' as well, which costs two to four times as much.
+//! - g at a over the steepest way to zero in g': so far there is no root. Go on from there.
 //! - 0 is not in g': at most one root. Hand the slab over.
+//! - None of these: try the first half.
 //!
 //! What a lane decides is computed for all lanes without a branch; only a lane that is finished is looked at
 //! by itself.
 
 use super::hit::Ray;
 use super::sheet::{CELLS, Cells, Sheet};
-use crate::closure::Kernel;
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::{Level, Simd, for_each_level};
 
@@ -23,8 +21,11 @@ use crate::num::level::{Level, Simd, for_each_level};
 /// a transversal root has long been told apart; what is left has a vanishing slope, or is no root at all.
 const SHORTEST: f64 = 1e-5;
 
-/// The length of slab, as a part of the ray's scale, below which the slope is enclosed too.
-const NARROW: f64 = 0.1;
+/// A factor that outweighs the rounding of one sum.
+const ROUNDED_DOWN: f64 = 1.0 - f64::EPSILON;
+
+/// A factor that outweighs the rounding of a quotient.
+const SHY: f64 = 1.0 - 4.0 * f64::EPSILON;
 
 /// A ray may take this many slabs before it is handed to the careful method, which counts its own.
 const MOST_SLABS: u32 = 400;
@@ -78,8 +79,6 @@ pub(crate) struct Found {
     pub(crate) brackets: Vec<Bracket>,
     /// To be looked at one by one.
     pub(crate) hard: Vec<Open>,
-    /// Between the two passes: slabs that are short enough for the slope, or long enough to do without.
-    other: Vec<Open>,
     /// Proven empty to their ends: ray and slabs taken.
     pub(crate) empty: Vec<(u32, u32)>,
     /// Slabs enclosed.
@@ -96,7 +95,6 @@ pub(crate) struct Pool {
     end: [f64; CELLS],
     step: [f64; CELLS],
     shortest: [f64; CELLS],
-    narrow: [f64; CELLS],
     slabs: [u32; CELLS],
     ray: [u32; CELLS],
     verdict: [Verdict; CELLS],
@@ -111,8 +109,6 @@ enum Verdict {
     Empty,
     Monotone,
     Hard,
-    /// To the other pass.
-    Other,
 }
 
 impl Default for Pool {
@@ -126,7 +122,6 @@ impl Default for Pool {
             end: zero,
             step: zero,
             shortest: zero,
-            narrow: zero,
             slabs: [0; CELLS],
             ray: [0; CELLS],
             verdict: [Verdict::Idle; CELLS],
@@ -144,23 +139,7 @@ impl Pool {
         open: &mut Vec<Open>,
         found: &mut Found,
     ) {
-        while !open.is_empty() {
-            self.pass::<false>(&sheet.value, &mut files.value, rays, open, found);
-            std::mem::swap(open, &mut found.other);
-            self.pass::<true>(&sheet.slope, &mut files.slope, rays, open, found);
-            std::mem::swap(open, &mut found.other);
-        }
-    }
-
-    /// Walks all open rays as far as they get with g alone, or with g and its slope.
-    fn pass<const SLOPE: bool>(
-        &mut self,
-        kernel: &Kernel<Cells>,
-        cells: &mut [Cells],
-        rays: &Rays,
-        open: &mut Vec<Open>,
-        found: &mut Found,
-    ) {
+        let CellFiles { value, slope } = files;
         self.verdict = [Verdict::Idle; CELLS];
         let mut active = 0;
         loop {
@@ -176,14 +155,13 @@ impl Pool {
             if active == 0 {
                 return;
             }
-            place(rays.simd, &self.origin, &self.direction, &self.a, &self.b, cells);
-            kernel.run(cells);
-            if SLOPE {
-                decide_by_slope(rays.simd, self, kernel.output(cells, 0), kernel.output(cells, 1));
-            } else {
-                decide_by_value(rays.simd, self, kernel.output(cells, 0));
-            }
-            found.cells += active as u64;
+            place(rays.simd, &self.origin, &self.direction, &self.a, &self.a, value);
+            sheet.value.run(value);
+            place(rays.simd, &self.origin, &self.direction, &self.a, &self.b, slope);
+            sheet.slope.run(slope);
+            let (g, of_slope) = (sheet.slope.output(slope, 0), sheet.slope.output(slope, 1));
+            decide(rays.simd, self, sheet.value.output(value, 0), g, of_slope);
+            found.cells += 2 * active as u64;
         }
     }
 
@@ -197,7 +175,6 @@ impl Pool {
         self.end[lane] = open.end;
         self.step[lane] = self.b[lane] - open.a;
         self.shortest[lane] = SHORTEST * size.max(open.a);
-        self.narrow[lane] = NARROW * size;
         self.slabs[lane] = open.slabs;
         self.ray[lane] = open.ray;
         self.verdict[lane] = Verdict::Open;
@@ -217,7 +194,6 @@ impl Pool {
             Verdict::Empty => found.empty.push((open.ray, open.slabs)),
             Verdict::Monotone => found.brackets.push(Bracket { open, b: self.b[lane] }),
             Verdict::Hard => found.hard.push(open),
-            Verdict::Other => found.other.push(open),
         }
         true
     }
@@ -255,43 +231,27 @@ for_each_level! {
 }
 
 for_each_level! {
-    /// What each lane does next, from the enclosure of g over its slab.
-    fn decide_by_value[L](pool: &mut Pool, g: &Cells) {
+    /// What each lane does next, from g at the slab's start, and g and g' over the slab.
+    fn decide[L](pool: &mut Pool, front: &Cells, g: &Cells, slope: &Cells) {
         for i in 0..CELLS {
-            let empty = is_out(g, i);
-            let (a, b, end, step) = (pool.a[i], pool.b[i], pool.end[i], pool.step[i]);
-            let (next_a, next_step) = if empty { (b, 2.0 * step) } else { (a, 0.5 * step) };
-            let through = empty & (b >= end);
-            let narrow = !empty & (next_step < pool.narrow[i]);
-            pool.slabs[i] += 1;
-            pool.a[i] = next_a;
-            pool.step[i] = next_step;
-            pool.b[i] = (next_a + next_step).min(end);
-            let verdict = if narrow { Verdict::Other } else { Verdict::Open };
-            let verdict = if through { Verdict::Empty } else { verdict };
-            pool.verdict[i] = if pool.verdict[i] == Verdict::Idle { Verdict::Idle } else { verdict };
-        }
-    }
-}
-
-for_each_level! {
-    /// What each lane does next, from the enclosures of g and g' over its slab.
-    fn decide_by_slope[L](pool: &mut Pool, g: &Cells, slope: &Cells) {
-        for i in 0..CELLS {
-            let empty = is_out(g, i);
             let known = (g.flags[i] & (PARTIAL | JUMP)) | (slope.flags[i] & PARTIAL) == 0;
-            let monotone = !empty & known & ((slope.lo[i] > 0.0) | (slope.hi[i] < 0.0));
             let (a, b, end, step) = (pool.a[i], pool.b[i], pool.end[i], pool.step[i]);
-            let (next_a, next_step) = if empty { (b, 2.0 * step) } else { (a, 0.5 * step) };
+            // The mean value theorem: g cannot reach zero sooner than its value in front over its steepest way there.
+            let down = if front.lo[i] > 0.0 { front.lo[i] / (-slope.lo[i]).max(0.0) } else { 0.0 };
+            let up = if front.hi[i] < 0.0 { -front.hi[i] / slope.hi[i].max(0.0) } else { 0.0 };
+            let reach = if known { (down + up) * SHY } else { 0.0 };
+            let empty = is_out(g, i) | (reach >= b - a);
+            let monotone = !empty & known & ((slope.lo[i] > 0.0) | (slope.hi[i] < 0.0));
+            let ahead = if reach > 0.25 * step { step } else { 0.5 * step };
+            let next_step = if empty { 2.0 * step } else { ahead };
+            let next_a = if empty { b } else { ((a + reach) * ROUNDED_DOWN).max(a) };
             let through = empty & (b >= end);
             let hard = !empty & (next_step < pool.shortest[i]) | (pool.slabs[i] >= MOST_SLABS);
-            let wide = empty & (next_step > 2.0 * pool.narrow[i]);
             pool.slabs[i] += 1;
-            pool.a[i] = next_a;
+            pool.a[i] = if monotone { a } else { next_a };
             pool.step[i] = if monotone { step } else { next_step };
             pool.b[i] = if monotone { b } else { (next_a + next_step).min(end) };
-            let verdict = if wide { Verdict::Other } else { Verdict::Open };
-            let verdict = if hard { Verdict::Hard } else { verdict };
+            let verdict = if hard { Verdict::Hard } else { Verdict::Open };
             let verdict = if monotone { Verdict::Monotone } else { verdict };
             let verdict = if through { Verdict::Empty } else { verdict };
             pool.verdict[i] = if pool.verdict[i] == Verdict::Idle { Verdict::Idle } else { verdict };

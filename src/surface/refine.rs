@@ -56,7 +56,9 @@ pub(crate) struct Batch {
     /// g at a, then the sign there.
     front: [f64; POINTS],
     behind: [f64; POINTS],
+    /// How far the last step went; a ray is done when that is within its tolerance.
     moved: [f64; POINTS],
+    tolerance: [f64; POINTS],
     gradient: [[f64; POINTS]; 3],
 }
 
@@ -72,6 +74,7 @@ impl Default for Batch {
             front: zero,
             behind: zero,
             moved: zero,
+            tolerance: zero,
             gradient: [zero; 3],
         }
     }
@@ -102,16 +105,15 @@ impl Batch {
         brackets: &[Bracket],
         out: &mut Vec<Refined>,
     ) -> Work {
-        let (simd, size) = (rays.simd, rays.size);
         let n = brackets.len().min(POINTS);
         let mut work = Work::default();
         self.load(&brackets[..n], rays.list);
-        self.ends(simd, sheet, files);
+        self.ends(rays.simd, sheet, files);
         work.points += 2 * n as u64;
-        work.gradients += self.newton(simd, sheet, files, n, brackets, size);
+        work.gradients += self.newton(sheet, files, rays, &brackets[..n]);
         for first in (0..n).step_by(CELLS) {
             let last = (first + CELLS).min(n);
-            self.certify(simd, sheet, files, size, first, &brackets[first..last], out);
+            self.certify(sheet, files, rays, first, &brackets[first..last], out);
             work.cells += 2 * (last - first) as u64;
         }
         work
@@ -149,65 +151,36 @@ impl Batch {
         (self.front[i] < 0.0) != (self.behind[i] < 0.0)
     }
 
-    /// Newton's method for all brackets with a root, each kept inside its bracket.
-    fn newton(
-        &mut self,
-        simd: Simd,
-        sheet: &Sheet,
-        files: &mut Files,
-        n: usize,
-        brackets: &[Bracket],
-        size: f64,
-    ) -> u64 {
-        let mut open: Vec<usize> = (0..n).filter(|&i| self.crosses(i)).collect();
+    /// Newton's method for all brackets with a root, each kept inside its bracket; how many evaluations it took.
+    fn newton(&mut self, sheet: &Sheet, files: &mut Files, rays: &Rays, brackets: &[Bracket]) -> u64 {
+        self.moved = std::array::from_fn(|i| if i < brackets.len() && self.crosses(i) { f64::INFINITY } else { 0.0 });
+        self.tolerance = std::array::from_fn(|i| CONVERGED * rays.size.max(self.a[i]));
         let mut evaluations = 0;
         for _ in 0..MOST_STEPS {
-            if open.is_empty() {
+            let live = (0..POINTS).filter(|&i| self.moved[i] > self.tolerance[i]).count();
+            if live == 0 {
                 break;
             }
-            points_at(simd, &self.origin, &self.direction, &self.t, files.gradient);
+            points_at(rays.simd, &self.origin, &self.direction, &self.t, files.gradient);
             sheet.gradient.run(files.gradient);
-            evaluations += open.len() as u64;
-            let values: [&Points; 4] = std::array::from_fn(|k| sheet.gradient.output(files.gradient, k));
-            self.step(&open, values);
-            open.retain(|&i| !(self.moved[i] <= CONVERGED * size.max(brackets[i].open.a)));
+            evaluations += live as u64;
+            let [g, x, y, z] = [0, 1, 2, 3].map(|k| &sheet.gradient.output(files.gradient, k).0);
+            step(rays.simd, self, g, [x, y, z]);
         }
         evaluations
-    }
-
-    /// One step of the brackets still open.
-    fn step(&mut self, open: &[usize], [g, gx, gy, gz]: [&Points; 4]) {
-        for &i in open {
-            let [dx, dy, dz] = [0, 1, 2].map(|axis: usize| self.direction[axis][i]);
-            let value = g.0[i];
-            let slope = gx.0[i] * dx + gy.0[i] * dy + gz.0[i] * dz;
-            let t = self.t[i];
-            if (value < 0.0) == (self.front[i] < 0.0) {
-                self.a[i] = t;
-            } else {
-                self.b[i] = t;
-            }
-            let newton = t - value / slope;
-            let next = if newton >= self.a[i] && newton <= self.b[i] { newton } else { 0.5 * (self.a[i] + self.b[i]) };
-            self.moved[i] = (next - t).abs();
-            self.t[i] = next;
-            for (axis, component) in [gx, gy, gz].into_iter().enumerate() {
-                self.gradient[axis][i] = component.0[i];
-            }
-        }
     }
 
     /// Proves what Newton found, for at most [`CELLS`] brackets.
     fn certify(
         &self,
-        simd: Simd,
         sheet: &Sheet,
         files: &mut Files,
-        size: f64,
+        rays: &Rays,
         first: usize,
         brackets: &[Bracket],
         out: &mut Vec<Refined>,
     ) {
+        let (simd, size) = (rays.simd, rays.size);
         let mut origin = [[0.0; CELLS]; 3];
         let mut direction = [[0.0; CELLS]; 3];
         let (mut front, mut behind) = ([0.0; CELLS], [0.0; CELLS]);
@@ -255,6 +228,31 @@ fn signs_at(
     sheet.value.run(cells);
     let g = sheet.value.output(cells, 0);
     std::array::from_fn(|i| i8::from(g.lo[i] > 0.0) - i8::from(g.hi[i] < 0.0))
+}
+
+for_each_level! {
+    /// One step of Newton's method in all rays that are not done.
+    fn step[L](batch: &mut Batch, g: &[f64; POINTS], gradient: [&[f64; POINTS]; 3]) {
+        let [x, y, z] = gradient;
+        for i in 0..POINTS {
+            let live = batch.moved[i] > batch.tolerance[i];
+            let (t, value) = (batch.t[i], g[i]);
+            let [dx, dy, dz] = [batch.direction[0][i], batch.direction[1][i], batch.direction[2][i]];
+            let slope = L::fma(x[i], dx, L::fma(y[i], dy, z[i] * dz));
+            let in_front = (value < 0.0) == (batch.front[i] < 0.0);
+            let a = if live & in_front { t } else { batch.a[i] };
+            let b = if live & !in_front { t } else { batch.b[i] };
+            let newton = t - value / slope;
+            let next = if (newton >= a) & (newton <= b) { newton } else { 0.5 * (a + b) };
+            batch.a[i] = a;
+            batch.b[i] = b;
+            batch.t[i] = if live { next } else { t };
+            batch.moved[i] = if live { (next - t).abs() } else { batch.moved[i] };
+            batch.gradient[0][i] = if live { x[i] } else { batch.gradient[0][i] };
+            batch.gradient[1][i] = if live { y[i] } else { batch.gradient[1][i] };
+            batch.gradient[2][i] = if live { z[i] } else { batch.gradient[2][i] };
+        }
+    }
 }
 
 for_each_level! {
