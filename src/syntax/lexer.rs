@@ -14,10 +14,10 @@ use nom::sequence::{pair, terminated};
 use nom::{IResult, Parser};
 
 /// Longer names are refused: nobody can read them, and they are compared with others for suggestions.
-pub(super) const MAX_NAME: usize = 64;
+pub const MAX_NAME: usize = 64;
 
 /// Longer numbers are refused: exact decimals of this length are beyond every f64, and reading takes the square of it.
-pub(super) const MAX_NUMBER: usize = 1000;
+pub const MAX_NUMBER: usize = 1000;
 
 /// What a piece of text is.
 #[derive(Clone)]

@@ -31,6 +31,7 @@ mod reader;
 mod statement;
 mod token;
 
+pub use lexer::{MAX_NAME, MAX_NUMBER};
 pub use names::{CONSTANTS, READY};
 pub use reader::MAX_NESTING;
 pub use statement::MAX_PARAMETERS;
