@@ -8,3 +8,5 @@ mod grammar;
 mod npy;
 mod tidy;
 mod tidy_scan;
+mod truth;
+mod truth_case;
