@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
 
 mod grammar;
+mod long_texts;
 mod npy;
 mod tidy;
 mod tidy_scan;
