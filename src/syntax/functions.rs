@@ -127,7 +127,7 @@ pub const FUNCTIONS: [Function; 53] = [
     number("legendre", "legendre(n, x)", TWO, "", "of the polynomial", "Legendre polynomial P_n, n a literal"),
     number("dot", "dot(a, b)", TWO, "", "", "the scalar product of two vectors"),
     other("cross", "cross(a, b)", TWO, Gives::Vector, "the vector product"),
-    number("length", "length(v)", ONE, "", "", "the length of a vector, also |v|"),
+    number("length", "length(v)", ONE, "", "", "the length of a vector, the same as bars around it"),
     other("normalize", "normalize(v)", ONE, Gives::Vector, "the vector of length 1 in the same direction"),
     other("if", "if(condition, a, b)", (3, 3), Gives::Either, "a where the condition holds, else b"),
     other("sum", "sum(k = 1..n, term) or sum(k in list, term)", TWO, Gives::Either, "the sum of the terms"),

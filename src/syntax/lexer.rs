@@ -14,10 +14,10 @@ use nom::sequence::{pair, terminated};
 use nom::{IResult, Parser};
 
 /// Longer names are refused: nobody can read them, and they are compared with others for suggestions.
-pub(super) const MAX_NAME: usize = 64;
+pub const MAX_NAME: usize = 64;
 
 /// Longer numbers are refused: exact decimals of this length are beyond every f64, and reading takes the square of it.
-pub(super) const MAX_NUMBER: usize = 1000;
+pub const MAX_NUMBER: usize = 1000;
 
 /// What a piece of text is.
 #[derive(Clone)]
@@ -235,9 +235,9 @@ fn cut(text: &str) -> String {
 /// Red, green, blue of `#rgb` or `#rrggbb`.
 pub(super) fn color(written: &str) -> Option<[u8; 3]> {
     let digits: Option<Vec<u8>> = written.chars().skip(1).map(|c| c.to_digit(16).map(|d| d as u8)).collect();
-    match digits?.as_slice() {
-        &[r, g, b] => Some([r * 17, g * 17, b * 17]),
-        &[r, s, g, h, b, c] => Some([r * 16 + s, g * 16 + h, b * 16 + c]),
+    match *digits?.as_slice() {
+        [r, g, b] => Some([r * 17, g * 17, b * 17]),
+        [r, s, g, h, b, c] => Some([r * 16 + s, g * 16 + h, b * 16 + c]),
         _ => None,
     }
 }

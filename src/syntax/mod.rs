@@ -4,7 +4,7 @@
 //! panics and never nests deeper than its limit; it knows nothing later than [`crate::diag`].
 //!
 //! The way: `lexer` makes words, `outline` finds where statements end, `heads` what each of them is and names,
-//! `names` what the names of all of them mean; then `statement`, `attributes`, `expression` and `operand` read each
+//! `names` what the names of all of them mean; then `statement`, `attributes`, `expression`, `operand` and `application` read each
 //! statement, with `notes` and `misfit` for what is to be said about it. [`functions`] is the table of functions.
 //!
 //! ```
@@ -14,6 +14,7 @@
 //! assert_eq!(parsed.program.statements.len(), 2);
 //! ```
 
+mod application;
 pub mod ast;
 mod attributes;
 mod expression;
@@ -31,6 +32,7 @@ mod reader;
 mod statement;
 mod token;
 
+pub use lexer::{MAX_NAME, MAX_NUMBER};
 pub use names::{CONSTANTS, READY};
 pub use reader::MAX_NESTING;
 pub use statement::MAX_PARAMETERS;

@@ -172,8 +172,7 @@ pub(super) fn declare(outlines: &mut [Outline<'_>]) -> Names {
     for outline in outlines.iter_mut() {
         let name = canonical(&outline.head.name, outline.text);
         if outline.head.kind == HeadKind::Function {
-            let product = name.len() > 1 && name.bytes().all(|b| matches!(b, b'x' | b'y' | b'z'));
-            if assigned.contains(name) || is_fixed(name) || product {
+            if assigned.contains(name) || is_fixed(name) || is_product(name) {
                 outline.head.kind = HeadKind::Surface;
             } else {
                 names.declare(name, Declared::Function(outline.head.parameters.len()));

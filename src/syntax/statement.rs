@@ -97,29 +97,12 @@ impl Reader<'_> {
                     "`{written} = …` read as a surface; use `{written}` in another statement to make it a definition"
                 ),
             );
-        } else if outline.head.kind == HeadKind::Surface
-            && names::is_product(name)
-            && self.is_function_head(outline.words)
-        {
+        } else if !outline.head.parameters.is_empty() && names::is_product(name) {
             self.note(
                 first.span,
                 format!("`{name}(…) = …` read as a surface, not as a function; give a function another name"),
             );
         }
-    }
-
-    /// Whether a statement begins as the definition of a function does.
-    fn is_function_head(&self, words: &[Token]) -> bool {
-        let close = words.iter().position(|word| word.kind == TokenKind::Close(Bracket::Round));
-        let Some(close) = close else { return false };
-        let bare = |i: usize| match words[i].kind {
-            TokenKind::Name => i % 2 == 0,
-            TokenKind::Comma => i % 2 == 1,
-            _ => false,
-        };
-        words.get(1).is_some_and(|word| word.kind == TokenKind::Open(Bracket::Round))
-            && (2..close).all(bare)
-            && words.get(close + 1).is_some_and(|word| word.kind == TokenKind::Equal)
     }
 
     /// Reports a name that no program may define.

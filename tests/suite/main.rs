@@ -4,6 +4,8 @@
 //! is judged here is more than one module.
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
 
+mod grammar;
+mod long_texts;
 mod npy;
 mod tidy;
 mod tidy_scan;
