@@ -4,6 +4,9 @@
 //! is judged here is more than one module.
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
 
+mod cli;
+mod command;
 mod npy;
+mod pictures;
 mod tidy;
 mod tidy_scan;
