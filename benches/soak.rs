@@ -16,7 +16,10 @@ const ALL: &[Range] = &[(-1.1, 1.1), (0.2, 4.0), (1e-300, 1e300)];
 const POSITIVE: &[Range] = &[(0.7, 1.42), (0.99, 1.01), (1e-300, 1e300), (2.3e-308, 1e-300)];
 const UNIT: &[Range] = &[(-1.0, 1.0), (0.48, 0.52), (0.99, 1.0), (1e-300, 1.0), (-1.0, -0.99)];
 
-const UNARY: &[(&str, fn(f64) -> f64, &[Range])] = &[
+type Unary = (&'static str, fn(f64) -> f64, &'static [Range]);
+type Binary = (&'static str, fn(f64, f64) -> f64, Range, Range);
+
+const UNARY: &[Unary] = &[
     ("sin", native::sin, ANGLES),
     ("cos", native::cos, ANGLES),
     ("tan", native::tan, ANGLES),
@@ -42,7 +45,7 @@ const UNARY: &[(&str, fn(f64) -> f64, &[Range])] = &[
     ("power1000001", |a| native::power(a, 1_000_001), &[(0.9994, 1.0006)]),
 ];
 
-const BINARY: &[(&str, fn(f64, f64) -> f64, Range, Range)] = &[
+const BINARY: &[Binary] = &[
     ("pow", native::pow, (0.01, 5.0), (-20.0, 20.0)),
     ("pow", native::pow, (0.5, 1.5), (-900.0, 900.0)),
     ("pow", native::pow, (1e-300, 1e300), (-1.0, 1.0)),

@@ -75,6 +75,8 @@
 //! assert!((hits[0].t - 4.0).abs() < 1e-9);
 //! ```
 
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests compare with the functions of std"))]
+
 pub mod cli;
 pub mod closure;
 pub mod diag;

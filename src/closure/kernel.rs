@@ -6,7 +6,7 @@
 
 use super::tape::{Action, Register, Step, Tape};
 use crate::expr::op::Op;
-use crate::num::level::{Level, Simd, for_each_level};
+use crate::num::level::{Simd, for_each_level};
 use crate::num::number::Number;
 
 /// One step, ready to run on the registers.

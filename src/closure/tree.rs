@@ -7,7 +7,7 @@
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::{Op, Variable};
 use crate::num::lanes::Lanes;
-use crate::num::level::{Level, Simd, for_each_level};
+use crate::num::level::{Simd, for_each_level};
 use crate::num::number::Number;
 
 /// A function of the variables, in the order of [`Variable::ALL`].

@@ -43,7 +43,28 @@ fn render_one(renderer: &Renderer, diagnostic: &Diagnostic, sources: &Sources) -
     if let Some(help) = &diagnostic.help {
         group = group.element(Level::HELP.message(printable(help, MAX_MESSAGE)));
     }
-    renderer.render(&[group])
+    without_empty_marks(&renderer.render(&[group]))
+}
+
+/// The drawing without the lines that stand for a second file without a name: annotate-snippets draws `:::` before a
+/// snippet whose place was named separately.
+fn without_empty_marks(drawn: &str) -> String {
+    let mut lines: Vec<&str> = Vec::new();
+    for line in drawn.lines() {
+        if uncolored(line).trim() == ":::" {
+            lines.pop();
+        } else {
+            lines.push(line);
+        }
+    }
+    lines.join("\n")
+}
+
+/// A line without its colour codes, which go from ESC to `m`.
+fn uncolored(line: &str) -> String {
+    let mut parts = line.split('\u{1b}');
+    let first = parts.next().unwrap_or("").to_owned();
+    first + &parts.map(|part| part.split_once('m').map_or(part, |(_, rest)| rest)).collect::<String>()
 }
 
 /// A line of a source with the labels that point into it, the first of them the one its place is named by.
@@ -192,6 +213,7 @@ mod tests {
             let shown = show(text, start, end);
             assert!(shown.contains(&format!("--> {place}")), "{shown}");
             assert_eq!(carets(&shown).0, marked, "{shown}");
+            assert!(!shown.contains(":::"), "{shown}");
             assert!(shown.contains("help: write it well") && shown.contains("error: wrong"), "{shown}");
         }
     }

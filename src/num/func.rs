@@ -30,7 +30,7 @@ pub use trigonometric::{cos, sin, sin_cos, tan};
 use super::level::Level;
 
 /// Largest errors in units of the last place: what the soak measured (docs/error-bounds.md), with a margin of
-/// at least a tenth of an ulp.
+/// at least a twentieth of an ulp. Measured on random numbers, not proven.
 pub mod bound {
     /// sin, cos.
     pub const SIN: f64 = 0.8;
@@ -41,9 +41,9 @@ pub mod bound {
     /// All three logarithms.
     pub const LN: f64 = 0.6;
     /// arctan and the angle of a point.
-    pub const ATAN: f64 = 0.8;
+    pub const ATAN: f64 = 0.74;
     /// arcsin.
-    pub const ASIN: f64 = 0.75;
+    pub const ASIN: f64 = 0.72;
     /// arccos.
     pub const ACOS: f64 = 0.7;
     /// sinh.
@@ -55,7 +55,7 @@ pub mod bound {
     /// arsinh, arcosh, artanh.
     pub const ASINH: f64 = 0.6;
     /// The error function.
-    pub const ERF: f64 = 0.95;
+    pub const ERF: f64 = 1.1;
     /// a^b and odd roots.
     pub const POW: f64 = 0.7;
     /// a^n for |n| ≤ 2^40.

@@ -87,7 +87,7 @@ mod tests {
         -0.0,
         5e-324,
         -5e-324,
-        2.2250738585072009e-308,
+        f64::MIN_POSITIVE.next_down(),
         f64::MIN_POSITIVE,
         1e-300,
         1.0,

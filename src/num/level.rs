@@ -1,7 +1,7 @@
 //! Which instructions the machine has, and the one macro that compiles a function for each level.
 //!
 //! A function is written once, generic over [`Level`], and stamped out per level by
-//! [`for_each_level!`]; which stamp runs is decided once at run time. The results are the same bits in
+//! `for_each_level!`; which stamp runs is decided once at run time. The results are the same bits in
 //! every level: the order of evaluation is the same, and a·b + c is rounded once in all of them.
 
 /// A set of instructions that a function is compiled for.
@@ -14,7 +14,7 @@ pub trait Level: Copy + Send + Sync + 'static {
 #[derive(Clone, Copy, Debug)]
 pub struct Portable;
 
-/// AVX2 and FMA. Only functions stamped by [`for_each_level!`] may use it.
+/// AVX2 and FMA. Only functions stamped by `for_each_level!` may use it.
 #[derive(Clone, Copy, Debug)]
 pub struct Fused;
 
@@ -36,6 +36,7 @@ impl Level for Portable {
     #[inline(always)]
     fn fma(a: f64, b: f64, c: f64) -> f64 {
         #[cfg(any(target_arch = "aarch64", target_feature = "fma"))]
+        #[allow(clippy::disallowed_methods, reason = "the target has the instruction")]
         return a.mul_add(b, c);
         #[cfg(not(any(target_arch = "aarch64", target_feature = "fma")))]
         super::fused::mul_add(a, b, c)
@@ -44,6 +45,7 @@ impl Level for Portable {
 
 impl Level for Fused {
     #[inline(always)]
+    #[allow(clippy::disallowed_methods, reason = "compiled with the instruction")]
     fn fma(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
     }
@@ -77,12 +79,14 @@ macro_rules! for_each_level {
         $(#[$doc])*
         $vis fn $name<$($generic: $bound),*>(simd: $crate::num::level::Simd, $($arg: $type),*) $(-> $ret)? {
             fn portable<$($generic: $bound),*>($($arg: $type),*) $(-> $ret)? {
+                #[allow(dead_code)]
                 type $level = $crate::num::level::Portable;
                 $body
             }
             #[cfg(target_arch = "x86_64")]
             #[target_feature(enable = "avx2,fma")]
             fn fused<$($generic: $bound),*>($($arg: $type),*) $(-> $ret)? {
+                #[allow(dead_code)]
                 type $level = $crate::num::level::Fused;
                 $body
             }

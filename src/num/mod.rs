@@ -11,6 +11,9 @@
 //! - [`interval_lanes`]: a fixed-size array of those.
 //! - [`rational`]: exact fractions, and the f64 and the interval nearest to one.
 
+// Comparisons are negated where NaN has to fall to the side that decides nothing.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
 pub mod func;
 pub mod fused;
 pub mod interval;

@@ -175,7 +175,7 @@ impl Rational {
 
     /// The exact n-th root if it is rational (n ≥ 1; a ≥ 0 when n is even).
     pub fn exact_root(&self, n: u32) -> Option<Self> {
-        if self.is_negative() && n % 2 == 0 {
+        if self.is_negative() && n.is_multiple_of(2) {
             return None;
         }
         let (p, q) = (self.0.numer().nth_root(n), self.0.denom().nth_root(n));

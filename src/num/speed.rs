@@ -4,6 +4,8 @@
 //! same function one number at a time. Separate because it is compiled for tests alone and looks at the clock.
 //! The whole table: `cargo test --lib num::speed -- --ignored --nocapture`.
 
+#![allow(clippy::print_stdout)]
+
 use super::func::native;
 use super::interval::{Enclosure, Interval};
 use super::interval_lanes::IntervalLanes;
@@ -42,7 +44,7 @@ fn time_cells(run: Runner<IntervalLanes<16>>) -> f64 {
         a.set(i, Enclosure::total(Interval::new(number(i), number(i + 3))));
         b.set(i, Enclosure::total(Interval::new(number(20 - i), number(22 - i))));
     }
-    let mut out = a.clone();
+    let mut out = a;
     nanoseconds(|repeat| run(Simd::best(), repeat, &a, &b, &mut out))
 }
 
@@ -62,8 +64,8 @@ fn batches_are_vectorised() {
     if Simd::best() == Simd::Portable {
         return;
     }
-    let scalars: [(&str, fn(f64) -> f64); 4] =
-        [("sin", native::sin), ("exp", native::exp), ("atan", native::atan), ("ln", native::ln)];
+    type Scalar = (&'static str, fn(f64) -> f64);
+    let scalars: [Scalar; 4] = [("sin", native::sin), ("exp", native::exp), ("atan", native::atan), ("ln", native::ln)];
     for (name, f) in scalars {
         let Some(trial) = trials().into_iter().find(|trial| trial.name == name) else { panic!("no {name}") };
         let mut sum = 0.0;

@@ -3,6 +3,8 @@
 //! In: the table of trials, random boxes. Out: nothing but failures. Separate because each claim holds for every
 //! operation, and every form of it.
 
+#![allow(clippy::print_stdout)]
+
 use super::interval::{Defined, Enclosure, Interval};
 use super::interval_lanes::IntervalLanes;
 use super::lanes::Lanes;
@@ -189,7 +191,9 @@ fn enclosures_are_tight() {
                     continue;
                 }
                 let ulp = exact.abs().next_up() - exact.abs();
-                let far = |r: Interval| ((exact - r.lo) / ulp).max((r.hi - exact) / ulp) > 3.0;
+                // The error bound of erf takes one step more.
+                let limit = if trial.name == "erf" { 4.0 } else { 3.0 };
+                let far = |r: Interval| ((exact - r.lo) / ulp).max((r.hi - exact) / ulp) > limit;
                 count += 1;
                 wide += u32::from(far((trial.enclosure)(a.get(i), b.get(i)).range));
                 wide_lanes += u32::from(far(out.get(i).range));

@@ -3,22 +3,28 @@
 //! In: rays with the part of each that is still open. Out: brackets on which g is monotone, for
 //! [`super::refine`]; rays proven empty; and rays that need [`super::careful`].
 //!
-//! A lane holds one ray and walks it from the front. Over its current slab [a, b] it encloses g and g'.
+//! A lane holds one ray and walks it from the front. Over its current slab [a, b] it encloses g.
 //! - 0 is not in g, or g has no value there: nothing is there. Go on behind it with twice the length.
+//! - Else: try the first half.
+//!
+//! Once the slabs are shorter than [`NARROW`], it encloses g' as well, which costs two to four times as much.
 //! - 0 is not in g': at most one root. Hand the slab over.
-//! - Neither: try the first half.
 //!
 //! What a lane decides is computed for all lanes without a branch; only a lane that is finished is looked at
 //! by itself.
 
 use super::hit::Ray;
 use super::sheet::{CELLS, Cells, Sheet};
+use crate::closure::Kernel;
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::{Level, Simd, for_each_level};
 
 /// A slab shorter than this part of the ray's scale is hard: left to the careful method. At that length
 /// a transversal root has long been told apart; what is left has a vanishing slope, or is no root at all.
 const SHORTEST: f64 = 1e-5;
+
+/// The length of slab, as a part of the ray's scale, below which the slope is enclosed too.
+const NARROW: f64 = 0.1;
 
 /// A ray may take this many slabs before it is handed to the careful method, which counts its own.
 const MOST_SLABS: u32 = 400;
@@ -38,6 +44,24 @@ pub(crate) struct Open {
     pub(crate) slabs: u32,
 }
 
+/// What all rays of a batch share.
+pub(crate) struct Rays<'a> {
+    /// The rays.
+    pub(crate) list: &'a [Ray],
+    /// The length that tolerances are measured by.
+    pub(crate) size: f64,
+    /// The instructions to use.
+    pub(crate) simd: Simd,
+}
+
+/// The register files of a sheet's enclosures.
+pub(crate) struct CellFiles {
+    /// Of g.
+    pub(crate) value: Vec<Cells>,
+    /// Of g and g'.
+    pub(crate) slope: Vec<Cells>,
+}
+
 /// A slab on which g is defined, continuous and strictly monotone.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bracket {
@@ -54,6 +78,8 @@ pub(crate) struct Found {
     pub(crate) brackets: Vec<Bracket>,
     /// To be looked at one by one.
     pub(crate) hard: Vec<Open>,
+    /// Between the two passes: slabs that are short enough for the slope, or long enough to do without.
+    other: Vec<Open>,
     /// Proven empty to their ends: ray and slabs taken.
     pub(crate) empty: Vec<(u32, u32)>,
     /// Slabs enclosed.
@@ -70,6 +96,7 @@ pub(crate) struct Pool {
     end: [f64; CELLS],
     step: [f64; CELLS],
     shortest: [f64; CELLS],
+    narrow: [f64; CELLS],
     slabs: [u32; CELLS],
     ray: [u32; CELLS],
     verdict: [Verdict; CELLS],
@@ -84,6 +111,8 @@ enum Verdict {
     Empty,
     Monotone,
     Hard,
+    /// To the other pass.
+    Other,
 }
 
 impl Default for Pool {
@@ -97,6 +126,7 @@ impl Default for Pool {
             end: zero,
             step: zero,
             shortest: zero,
+            narrow: zero,
             slabs: [0; CELLS],
             ray: [0; CELLS],
             verdict: [Verdict::Idle; CELLS],
@@ -108,11 +138,26 @@ impl Pool {
     /// Walks all open rays until each is settled, bracketed or found hard.
     pub(crate) fn run(
         &mut self,
-        simd: Simd,
         sheet: &Sheet,
+        files: &mut CellFiles,
+        rays: &Rays,
+        open: &mut Vec<Open>,
+        found: &mut Found,
+    ) {
+        while !open.is_empty() {
+            self.pass::<false>(&sheet.value, &mut files.value, rays, open, found);
+            std::mem::swap(open, &mut found.other);
+            self.pass::<true>(&sheet.slope, &mut files.slope, rays, open, found);
+            std::mem::swap(open, &mut found.other);
+        }
+    }
+
+    /// Walks all open rays as far as they get with g alone, or with g and its slope.
+    fn pass<const SLOPE: bool>(
+        &mut self,
+        kernel: &Kernel<Cells>,
         cells: &mut [Cells],
-        rays: &[Ray],
-        size: f64,
+        rays: &Rays,
         open: &mut Vec<Open>,
         found: &mut Found,
     ) {
@@ -123,7 +168,7 @@ impl Pool {
                 if self.verdict[lane] != Verdict::Open {
                     active -= usize::from(self.retire(lane, found));
                     if let Some(next) = open.pop() {
-                        self.fill(lane, next, &rays[next.ray as usize], size);
+                        self.fill(lane, next, &rays.list[next.ray as usize], rays.size);
                         active += 1;
                     }
                 }
@@ -131,9 +176,13 @@ impl Pool {
             if active == 0 {
                 return;
             }
-            place(simd, &self.origin, &self.direction, &self.a, &self.b, cells);
-            sheet.slope.run(cells);
-            decide(simd, self, sheet.slope.output(cells, 0), sheet.slope.output(cells, 1));
+            place(rays.simd, &self.origin, &self.direction, &self.a, &self.b, cells);
+            kernel.run(cells);
+            if SLOPE {
+                decide_by_slope(rays.simd, self, kernel.output(cells, 0), kernel.output(cells, 1));
+            } else {
+                decide_by_value(rays.simd, self, kernel.output(cells, 0));
+            }
             found.cells += active as u64;
         }
     }
@@ -148,6 +197,7 @@ impl Pool {
         self.end[lane] = open.end;
         self.step[lane] = self.b[lane] - open.a;
         self.shortest[lane] = SHORTEST * size.max(open.a);
+        self.narrow[lane] = NARROW * size;
         self.slabs[lane] = open.slabs;
         self.ray[lane] = open.ray;
         self.verdict[lane] = Verdict::Open;
@@ -167,6 +217,7 @@ impl Pool {
             Verdict::Empty => found.empty.push((open.ray, open.slabs)),
             Verdict::Monotone => found.brackets.push(Bracket { open, b: self.b[lane] }),
             Verdict::Hard => found.hard.push(open),
+            Verdict::Other => found.other.push(open),
         }
         true
     }
@@ -204,32 +255,52 @@ for_each_level! {
 }
 
 for_each_level! {
-    /// What each lane does next, from the enclosures of g and g' over its slab.
-    fn decide[L](pool: &mut Pool, g: &Cells, slope: &Cells) {
+    /// What each lane does next, from the enclosure of g over its slab.
+    fn decide_by_value[L](pool: &mut Pool, g: &Cells) {
         for i in 0..CELLS {
-            let empty = (g.lo[i] > 0.0) | (g.hi[i] < 0.0) | (g.flags[i] & NOWHERE != 0);
-            let known = (g.flags[i] & (PARTIAL | JUMP)) | (slope.flags[i] & PARTIAL) == 0;
-            let monotone = known & ((slope.lo[i] > 0.0) | (slope.hi[i] < 0.0));
+            let empty = is_out(g, i);
             let (a, b, end, step) = (pool.a[i], pool.b[i], pool.end[i], pool.step[i]);
-            let next_a = if empty { b } else { a };
-            let next_step = if empty { 2.0 * step } else { 0.5 * step };
+            let (next_a, next_step) = if empty { (b, 2.0 * step) } else { (a, 0.5 * step) };
             let through = empty & (b >= end);
-            let hard = !empty & (next_step < pool.shortest[i]) | (pool.slabs[i] >= MOST_SLABS);
-            let keep = monotone & !empty;
-            let verdict = if through {
-                Verdict::Empty
-            } else if keep {
-                Verdict::Monotone
-            } else if hard {
-                Verdict::Hard
-            } else {
-                Verdict::Open
-            };
+            let narrow = !empty & (next_step < pool.narrow[i]);
             pool.slabs[i] += 1;
             pool.a[i] = next_a;
-            pool.step[i] = if keep { step } else { next_step };
-            pool.b[i] = if keep { b } else { (next_a + next_step).min(end) };
+            pool.step[i] = next_step;
+            pool.b[i] = (next_a + next_step).min(end);
+            let verdict = if narrow { Verdict::Other } else { Verdict::Open };
+            let verdict = if through { Verdict::Empty } else { verdict };
             pool.verdict[i] = if pool.verdict[i] == Verdict::Idle { Verdict::Idle } else { verdict };
         }
     }
+}
+
+for_each_level! {
+    /// What each lane does next, from the enclosures of g and g' over its slab.
+    fn decide_by_slope[L](pool: &mut Pool, g: &Cells, slope: &Cells) {
+        for i in 0..CELLS {
+            let empty = is_out(g, i);
+            let known = (g.flags[i] & (PARTIAL | JUMP)) | (slope.flags[i] & PARTIAL) == 0;
+            let monotone = !empty & known & ((slope.lo[i] > 0.0) | (slope.hi[i] < 0.0));
+            let (a, b, end, step) = (pool.a[i], pool.b[i], pool.end[i], pool.step[i]);
+            let (next_a, next_step) = if empty { (b, 2.0 * step) } else { (a, 0.5 * step) };
+            let through = empty & (b >= end);
+            let hard = !empty & (next_step < pool.shortest[i]) | (pool.slabs[i] >= MOST_SLABS);
+            let wide = empty & (next_step > 2.0 * pool.narrow[i]);
+            pool.slabs[i] += 1;
+            pool.a[i] = next_a;
+            pool.step[i] = if monotone { step } else { next_step };
+            pool.b[i] = if monotone { b } else { (next_a + next_step).min(end) };
+            let verdict = if wide { Verdict::Other } else { Verdict::Open };
+            let verdict = if hard { Verdict::Hard } else { verdict };
+            let verdict = if monotone { Verdict::Monotone } else { verdict };
+            let verdict = if through { Verdict::Empty } else { verdict };
+            pool.verdict[i] = if pool.verdict[i] == Verdict::Idle { Verdict::Idle } else { verdict };
+        }
+    }
+}
+
+/// Whether g has no root in lane i: proven.
+#[inline(always)]
+fn is_out(g: &Cells, i: usize) -> bool {
+    (g.lo[i] > 0.0) | (g.hi[i] < 0.0) | (g.flags[i] & NOWHERE != 0)
 }

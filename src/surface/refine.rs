@@ -8,7 +8,7 @@
 //! exactly one root between them and none elsewhere in the slab, and equal signs at both ends mean none at all.
 
 use super::hit::Ray;
-use super::isolate::{Bracket, place};
+use super::isolate::{Bracket, Rays, place};
 use super::sheet::{CELLS, Cells, POINTS, Points, Sheet};
 use crate::num::level::{Level, Simd, for_each_level};
 use glam::DVec3;
@@ -96,17 +96,16 @@ impl Batch {
     /// Refines at most [`POINTS`] brackets.
     pub(crate) fn run(
         &mut self,
-        simd: Simd,
         sheet: &Sheet,
         files: &mut Files,
-        rays: &[Ray],
-        size: f64,
+        rays: &Rays,
         brackets: &[Bracket],
         out: &mut Vec<Refined>,
     ) -> Work {
+        let (simd, size) = (rays.simd, rays.size);
         let n = brackets.len().min(POINTS);
         let mut work = Work::default();
-        self.load(&brackets[..n], rays);
+        self.load(&brackets[..n], rays.list);
         self.ends(simd, sheet, files);
         work.points += 2 * n as u64;
         work.gradients += self.newton(simd, sheet, files, n, brackets, size);

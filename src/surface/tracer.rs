@@ -5,10 +5,10 @@
 
 use super::careful::{Careful, End};
 use super::hit::{Counts, Hit, Outcome, Ray};
-use super::isolate::{Found, Open, Pool};
+use super::isolate::{CellFiles, Found, Open, Pool, Rays};
 use super::march::Marcher;
 use super::refine::{Batch, Files, Refined, points_at};
-use super::sheet::{Cells, POINTS, Points, Sheet, Surface};
+use super::sheet::{POINTS, Points, Sheet, Surface};
 use crate::closure::pieces::Scratch;
 use glam::DVec3;
 
@@ -50,8 +50,7 @@ pub struct Tracer<'a> {
 
 /// Register files of one sheet.
 struct Memory {
-    cells: Vec<Cells>,
-    value: Vec<Cells>,
+    cells: CellFiles,
     point: Vec<Points>,
     gradient: Vec<Points>,
     scalar: Scratch,
@@ -60,8 +59,7 @@ struct Memory {
 impl Memory {
     fn new(sheet: &Sheet) -> Self {
         Memory {
-            cells: sheet.slope.registers(),
-            value: sheet.value.registers(),
+            cells: CellFiles { value: sheet.value.registers(), slope: sheet.slope.registers() },
             point: sheet.point.registers(),
             gradient: sheet.gradient.registers(),
             scalar: sheet.scalar.scratch(),
@@ -138,15 +136,8 @@ impl<'a> Tracer<'a> {
         while !self.open.is_empty() {
             let memory = &mut self.files[index][k];
             let sheet = &surface.sheets[k];
-            self.pool.run(
-                surface.simd,
-                sheet,
-                &mut memory.cells,
-                job.rays,
-                surface.size,
-                &mut self.open,
-                &mut self.found,
-            );
+            let rays = Rays { list: job.rays, size: surface.size, simd: surface.simd };
+            self.pool.run(sheet, &mut memory.cells, &rays, &mut self.open, &mut self.found);
             self.counts.cells += std::mem::take(&mut self.found.cells);
             for (ray, slabs) in self.found.empty.drain(..) {
                 job.hits[ray as usize].cost += slabs;
@@ -181,11 +172,11 @@ impl<'a> Tracer<'a> {
         for chunk in brackets.chunks(POINTS) {
             let memory = &mut self.files[index][k];
             let mut files =
-                Files { point: &mut memory.point, gradient: &mut memory.gradient, cells: &mut memory.value };
+                Files { point: &mut memory.point, gradient: &mut memory.gradient, cells: &mut memory.cells.value };
             let sheet = &surface.sheets[k];
             self.refined.clear();
-            let work =
-                self.batch.run(surface.simd, sheet, &mut files, job.rays, surface.size, chunk, &mut self.refined);
+            let rays = Rays { list: job.rays, size: surface.size, simd: surface.simd };
+            let work = self.batch.run(sheet, &mut files, &rays, chunk, &mut self.refined);
             self.counts.points += work.points;
             self.counts.gradients += work.gradients;
             self.counts.cells += work.cells;

@@ -78,7 +78,7 @@ impl Reader<'_> {
         }
         self.skip(1);
         let key = Name { text: text.to_owned(), span: word.span };
-        let value = self.attribute_value()?;
+        let value = self.attribute_value(&key.text)?;
         if self.peek().kind == TokenKind::Name && self.second().kind == TokenKind::Colon {
             let next = self.peek().span;
             let error = Diagnostic::error(next, format!("expected `,` before `{}`", printable(self.written(next), 20)));
@@ -88,7 +88,7 @@ impl Reader<'_> {
         Ok(Attribute { key, value })
     }
 
-    fn attribute_value(&mut self) -> Read<AttributeValue> {
+    fn attribute_value(&mut self, key: &str) -> Read<AttributeValue> {
         let Some(word) = self.raw() else {
             let end = self.peek().span;
             return Err(self.stop(Diagnostic::error(end, "the value is missing")));
@@ -109,7 +109,7 @@ impl Reader<'_> {
                 self.skip(2);
                 Ok(AttributeValue::Size(width, height, span))
             }
-            TokenKind::Name if self.ends_after_one() => {
+            TokenKind::Name if key != "clip" && self.ends_after_one() => {
                 self.skip(1);
                 let kind = ExprKind::Name(written.to_owned());
                 Ok(AttributeValue::Expr(Expr { kind, span: word.span }))
@@ -123,7 +123,7 @@ impl Reader<'_> {
 
     /// Whether the value is one word, such as `red`: that need not be a name of the program.
     fn ends_after_one(&self) -> bool {
-        self.second().kind == TokenKind::End
+        matches!(self.second().kind, TokenKind::End | TokenKind::Semicolon)
             || self.second().kind == TokenKind::Name && self.third().kind == TokenKind::Colon
     }
 

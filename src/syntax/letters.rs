@@ -29,11 +29,17 @@ const SYMBOLS: [(char, &str); 21] = [
 
 /// The name a symbol is read as; `None` if it is no symbol of the language.
 pub(super) fn symbol(character: char) -> Option<&'static str> {
+    if character.is_ascii() {
+        return None;
+    }
     SYMBOLS.iter().find(|(c, _)| *c == character).map(|(_, name)| *name)
 }
 
 /// The digit or minus that a raised character stands for.
 pub(super) fn raised(character: char) -> Option<char> {
+    if character.is_ascii() {
+        return None;
+    }
     let digits = "⁰¹²³⁴⁵⁶⁷⁸⁹";
     match character {
         '⁻' => Some('-'),
@@ -50,6 +56,9 @@ const LOOK_ALIKES: [(&str, &str, &str); 3] = [
 
 /// What a letter looks like, if it only looks like a character of the language: that character, and whose letter it is.
 pub(super) fn look_alike(character: char) -> Option<(char, &'static str)> {
+    if character.is_ascii() {
+        return None;
+    }
     for (letters, latin, script) in LOOK_ALIKES {
         if let Some(i) = letters.chars().position(|c| c == character) {
             return latin.chars().nth(i).map(|c| (c, script));

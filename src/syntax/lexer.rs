@@ -185,7 +185,12 @@ fn check(kind: TokenKind, written: &str, span: Span, errors: &mut Vec<Diagnostic
         _ => return kind,
     };
     errors.push(error);
-    TokenKind::Invalid
+    match written {
+        ":=" => TokenKind::Equal,
+        "=<" => TokenKind::LessEqual,
+        "=>" => TokenKind::GreaterEqual,
+        _ => TokenKind::Invalid,
+    }
 }
 
 /// The error for a name with letters that are not what they seem.

@@ -111,3 +111,6 @@ fn limited(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     kept.sort_by_key(|diagnostic| diagnostic.span());
     kept
 }
+
+#[cfg(test)]
+mod tests;

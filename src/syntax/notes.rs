@@ -12,6 +12,17 @@ use crate::diag::{Span, printable};
 /// Parts of a formula are quoted up to this many characters.
 const MAX_QUOTED: usize = 40;
 
+impl Expr {
+    /// Whether it is a number or the name of one.
+    pub(super) fn is_constant(&self) -> bool {
+        match &self.kind {
+            ExprKind::Number(_) => true,
+            ExprKind::Name(name) => names::CONSTANTS.contains(&name.as_str()),
+            _ => false,
+        }
+    }
+}
+
 impl Reader<'_> {
     fn quote(&self, span: Span) -> String {
         printable(self.written(span).trim(), MAX_QUOTED)
@@ -110,16 +121,8 @@ impl Reader<'_> {
     }
 
     /// Whether it is not plain that one more factor belongs to the argument of a function without brackets: it is
-    /// in `sin 2x`, `sin xy`, `sin 2 pi x`, and is not in `sin x y`, `sin x(y+1)`.
+    /// in `sin xy`, and behind numbers and constants only (`sin 2 pi x`); it is not in `sin x y`, `sin x(y+1)`.
     pub(super) fn is_doubtful(&self, factors: &[Factor], word: Token) -> bool {
-        let constant = |factor: &Factor| match &factor.value.kind {
-            ExprKind::Number(_) => true,
-            ExprKind::Name(name) => names::CONSTANTS.contains(&name.as_str()),
-            _ => false,
-        };
-        if factors.iter().all(constant) {
-            return false;
-        }
         let power = factors.last().is_some_and(|factor| matches!(factor.value.kind, ExprKind::Power(..)));
         let bracket = matches!(word.kind, TokenKind::Open(Bracket::Round) | TokenKind::Bar);
         let closed = self.previous().is_some_and(|word| matches!(word.kind, TokenKind::Close(_)));
@@ -141,7 +144,7 @@ impl Reader<'_> {
         } else if let ExprKind::Power(base, exponent) = &last.kind
             && !self.written(last.span).starts_with('(')
         {
-            let base = self.quote(one.span.to(base.span));
+            let base = self.quote(Span { start: one.span.start, ..base.span });
             let exponent = self.quote(exponent.span);
             let caret = if exponent.chars().all(|c| super::letters::raised(c).is_some()) { "" } else { "^" };
             self.read_as(span, &format!("{name}({argument})"), &format!("({name}({base})){caret}{exponent}"));

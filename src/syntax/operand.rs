@@ -323,12 +323,14 @@ impl Reader<'_> {
         let first = self.peek();
         let mut factors = vec![Factor { operator: FactorOp::Mul, value: self.power()? }];
         let mut doubtful = false;
+        let mut constants = true;
         loop {
             let word = self.peek();
             if self.is_function(word) || !self.begins_factor(word)? {
                 break;
             }
-            doubtful |= self.is_doubtful(&factors, word);
+            constants &= factors.last().is_some_and(|factor| factor.value.is_constant());
+            doubtful |= !constants && self.is_doubtful(&factors, word);
             let value = self.power()?;
             factors.push(Factor { operator: FactorOp::Mul, value });
         }

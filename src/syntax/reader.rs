@@ -12,6 +12,9 @@ use std::collections::BTreeSet;
 /// the grammar takes about 2 KiB of stack a level, and a worker's stack is 2 MiB.
 pub const MAX_NESTING: usize = 256;
 
+/// An unknown name is compared with at most so many known ones: each comparison takes about a microsecond.
+const MAX_COMPARED: usize = 2000;
+
 /// Reading of the statement has stopped; the error is reported.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stop;
@@ -22,11 +25,16 @@ pub(super) type Read<T> = Result<T, Stop>;
 #[derive(Debug, Default)]
 pub(super) struct Report {
     pub(super) diagnostics: Vec<Diagnostic>,
-    /// Messages given already: the same words are not said twice.
+    /// Notes given and names complained about already: the same is not said twice.
     said: BTreeSet<String>,
 }
 
 impl Report {
+    /// Whether there are more errors than will be shown, so that no more words need be found for them.
+    fn is_full(&self) -> bool {
+        self.diagnostics.len() > 2 * super::MAX_REPORTED
+    }
+
     /// Adds a message, unless one with these words was given before.
     pub(super) fn once(&mut self, diagnostic: Diagnostic) {
         if self.said.insert(diagnostic.message.clone()) {
@@ -237,8 +245,15 @@ impl<'p> Reader<'p> {
     pub(super) fn unknown(&mut self, token: Token, called: bool) {
         self.failed = true;
         let name = self.name(token);
-        let error = self.unknown_name(name, token.span, called);
-        self.report.once(error);
+        if self.report.said.contains(name) {
+            return;
+        }
+        self.report.said.insert(name.to_owned());
+        let error = match self.report.is_full() {
+            true => Diagnostic::error(token.span, format!("unknown name `{name}`")),
+            false => self.unknown_name(name, token.span, called),
+        };
+        self.report.diagnostics.push(error);
     }
 
     fn unknown_name(&self, name: &str, span: Span, called: bool) -> Diagnostic {
@@ -261,9 +276,8 @@ impl<'p> Reader<'p> {
 
     /// The known name that differs only in upper and lower case.
     fn same_but_for_case(&self, name: &str) -> Option<String> {
-        let lower = name.to_lowercase();
         let scope = self.scope.iter().map(String::as_str);
-        scope.chain(self.names.known()).find(|known| known.to_lowercase() == lower).map(str::to_owned)
+        scope.chain(self.names.known()).find(|known| known.eq_ignore_ascii_case(name)).map(str::to_owned)
     }
 
     /// What to do about an unknown name.
@@ -274,7 +288,7 @@ impl<'p> Reader<'p> {
             return format!("write `{letters}^{digits}` or `{letters}*{digits}`");
         }
         let scope = self.scope.iter().map(String::as_str);
-        let near = nearest(name, scope.chain(self.names.known()));
+        let near = nearest(name, scope.chain(self.names.known()).take(MAX_COMPARED));
         if !near.is_empty() && name.chars().count() > 1 {
             return format!("did you mean {}?", one_of(&near));
         }

@@ -10,3 +10,5 @@ mod npy;
 mod pictures;
 mod tidy;
 mod tidy_scan;
+mod truth;
+mod truth_case;

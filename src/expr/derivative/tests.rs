@@ -1,3 +1,5 @@
+//! Tests of the derivatives: against dual numbers, and against a table of fifty digits.
+
 #![allow(clippy::disallowed_methods, reason = "judged by the standard library")]
 
 use super::{along_ray, derivative, gradient};

@@ -6,11 +6,15 @@
 //!
 //! Only for equations. The boundary of a solid is where its function changes sign: nothing may be rewritten.
 //!
-//! - [`fraction`]: sums of quotients over one denominator.
+//! - [`fraction`]: sums of quotients over one denominator. - [`removable`]: where numerator and denominator vanish
+//!   together.
 
 mod fraction;
+mod removable;
 #[cfg(test)]
 mod tests;
+
+pub use removable::vanishes_with;
 
 use super::graph::{Graph, NodeId};
 use super::op::Op;

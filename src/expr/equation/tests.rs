@@ -1,4 +1,6 @@
-use super::{Sheet, Sign, sheets};
+//! Tests of the rewriting: a table of equations with their sheets, and zero sets compared point by point.
+
+use super::{Sheet, Sign, sheets, vanishes_with};
 use crate::expr::estimate::{Estimate, Random, estimates};
 use crate::expr::formula::formula;
 use crate::expr::graph::{Graph, NodeId};
@@ -268,4 +270,39 @@ fn the_sign_of_a_sheet_is_what_it_says() {
         }
     }
     assert!(compared > 2000, "{compared}");
+}
+
+#[test]
+fn numerators_that_vanish_with_their_denominator_are_known() {
+    let rows = [
+        ("x*z-sin(x)", "x", true),
+        ("x*z-cos(x)", "x", false),
+        ("(x-y)*z-sin(x-y)", "x-y", true),
+        ("(2*x-3)*z+2*x-3", "2*x-3", true),
+        ("z*(x/3-y^2)-sin(2*x/3-2*y^2)", "x/3-y^2", true),
+        ("z*cos(x)-sin(x)", "cos(x)", false),
+        ("x*ln(x)", "x", false),
+        ("x*y*z-1", "x", false),
+        ("x^2*z-1+cos(x)", "x", true),
+    ];
+    for (numerator, denominator, expected) in rows {
+        let mut graph = Graph::new();
+        let [g, d] = [numerator, denominator].map(|t| formula(&mut graph, t));
+        assert_eq!(vanishes_with(&mut graph, g, d), expected, "{numerator} where {denominator} = 0");
+    }
+}
+
+#[test]
+fn large_formulas_are_rewritten_quickly() {
+    let start = std::time::Instant::now();
+    let sum: String = (1..2000).map(|k| format!("+exp(-(x-{k})^2-y^2)")).collect();
+    let poles: String = (1..2000).map(|k| format!("+1/(x-{k})")).collect();
+    let squares: String = (1..400).map(|k| format!("*(x+y+z+sin(x)+{k})")).collect();
+    let wide = format!("(x+y+z+sin(x)+cos(y)+ln(z)+1)^9*x^2+x^2{}", "+(x+y*z)^30".repeat(50));
+    for text in [format!("z{sum}"), format!("z{poles}"), format!("x^2{squares}+x^2*y"), wide] {
+        let mut graph = Graph::new();
+        let f = formula(&mut graph, &text);
+        assert!(!sheets(&mut graph, f).sheets.is_empty());
+    }
+    assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
 }

@@ -329,16 +329,22 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    /// Says in errors that arose inside a function's body which call brought them up.
+    /// Says in errors that arose inside a function's body which call brought them up, and which brought up that.
     fn mark_call(&mut self, before: usize, span: Span) {
         for diagnostic in &mut self.diagnostics[before..] {
-            if diagnostic.labels.len() < 3 && diagnostic.labels.iter().all(|label| label.span != span) {
-                let label = crate::diag::Label { span, text: "in this call".to_owned() };
-                diagnostic.labels.push(label);
+            let calls = diagnostic.labels.iter().filter(|label| label.text == CALL).count();
+            if calls < CALLS_SHOWN && diagnostic.labels.iter().all(|label| label.span != span) {
+                diagnostic.labels.push(crate::diag::Label { span, text: CALL.to_owned() });
             }
         }
     }
 }
+
+/// The words at a call that brought up an error.
+const CALL: &str = "in this call";
+
+/// Calls shown with an error: the innermost ones tell most.
+const CALLS_SHOWN: usize = 2;
 
 fn arguments(count: usize) -> String {
     if count == 1 { "1 argument".to_owned() } else { format!("{count} arguments") }

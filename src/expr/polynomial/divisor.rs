@@ -20,13 +20,14 @@ const MAX_VALUE_BITS: u64 = 80_000;
 pub fn quotient(a: &Polynomial, b: &Polynomial) -> Option<Polynomial> {
     let (lead, factor) = b.leading()?;
     let (mut rest, mut result, mut work) = (a.clone(), Polynomial::default(), 0);
+    let cost = b.len().saturating_mul(a.cost_per_term(b));
     while let Some((exponents, coefficient)) = rest.leading() {
         let mut difference: Exponents = [0; MAX_LETTERS];
         for (d, (e, f)) in difference.iter_mut().zip(exponents.iter().zip(lead)) {
             *d = e.checked_sub(*f)?;
         }
         let (digit, remainder) = coefficient.div_rem(factor);
-        work += b.len();
+        work += cost;
         if !remainder.is_zero() || work > MAX_PRODUCTS {
             return None;
         }

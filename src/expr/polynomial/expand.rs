@@ -29,6 +29,9 @@ impl Letters {
     }
 }
 
+/// The most products of terms in the expansion of one node, about 0.3 s.
+const MAX_WORK: usize = 1_500_000;
+
 /// Whether a node is built from its arguments by ring operations, so that it is no letter.
 fn is_interior(graph: &Graph, id: NodeId) -> bool {
     match graph.op(id) {
@@ -55,15 +58,21 @@ pub(super) fn parts(graph: &Graph, root: NodeId) -> Vec<(NodeId, bool)> {
 /// The node as polynomial / number > 0; `None` where it has too many letters, terms or digits.
 pub fn expanded(graph: &Graph, root: NodeId, letters: &mut Letters) -> Option<(Polynomial, BigInt)> {
     let mut all: BTreeMap<NodeId, (Polynomial, BigInt)> = BTreeMap::new();
+    let mut work = MAX_WORK;
     for (id, interior) in parts(graph, root) {
-        let value =
-            if interior { combined(graph, id, &all)? } else { (Polynomial::letter(letters.index(id)?), BigInt::one()) };
+        let value = if interior {
+            combined(graph, id, &all, &mut work)?
+        } else {
+            (Polynomial::letter(letters.index(id)?), BigInt::one())
+        };
         all.insert(id, value);
     }
     all.remove(&root)
 }
 
-fn combined(graph: &Graph, id: NodeId, all: &BTreeMap<NodeId, (Polynomial, BigInt)>) -> Option<(Polynomial, BigInt)> {
+type Known = BTreeMap<NodeId, (Polynomial, BigInt)>;
+
+fn combined(graph: &Graph, id: NodeId, all: &Known, work: &mut usize) -> Option<(Polynomial, BigInt)> {
     let args = graph.args(id);
     let get = |i: usize| all.get(&args[i]);
     match graph.op(id) {
@@ -74,6 +83,7 @@ fn combined(graph: &Graph, id: NodeId, all: &BTreeMap<NodeId, (Polynomial, BigIn
         Op::Neg => get(0).map(|(p, d)| (p.scaled(&BigInt::from(-1)), d.clone())),
         op @ (Op::Add | Op::Sub) => {
             let ((p, d), (q, e)) = (get(0)?, get(1)?);
+            *work = work.checked_sub(p.len() + q.len())?;
             let common = d.lcm(e);
             let sign = if op == Op::Sub { -1 } else { 1 };
             let sum = p.scaled(&(&common / d)).plus(&q.scaled(&(&common / e * sign)))?;
@@ -81,12 +91,15 @@ fn combined(graph: &Graph, id: NodeId, all: &BTreeMap<NodeId, (Polynomial, BigIn
         }
         Op::Mul => {
             let ((p, d), (q, e)) = (get(0)?, get(1)?);
+            *work = work.checked_sub(p.cost(q))?;
             Some((p.times(q)?, d * e))
         }
         Op::Power(n) => {
             let (p, d) = get(0)?;
             let n = u32::try_from(n).ok().filter(|&n| n < 1 << 12)?;
-            Some((p.to_power(n)?, d.pow(n)))
+            let power = p.to_power(n)?;
+            *work = work.checked_sub(power.cost(p))?;
+            Some((power, d.pow(n)))
         }
         _ => {
             let (p, d) = get(0)?;

@@ -24,8 +24,11 @@ pub const MAX_LETTERS: usize = 8;
 /// The most terms: the expanded Barth decic has 126, and a thousand terms are no formula that people type.
 pub const MAX_TERMS: usize = 4000;
 
-/// The most products of terms in one multiplication or division: about 0.1 s.
+/// The most products of terms in one multiplication or division, long numbers counted as more: about 0.1 s.
 const MAX_PRODUCTS: usize = 400_000;
+
+/// Words of two numbers that are multiplied in about the time that a term takes besides.
+const CHEAP_WORDS: u64 = 16;
 
 /// The most bits of a coefficient.
 const MAX_BITS: u64 = 100_000;
@@ -105,6 +108,17 @@ impl Polynomial {
         self.terms.last_key_value()
     }
 
+    /// What multiplying two terms of these costs, in terms with short numbers.
+    fn cost_per_term(&self, other: &Self) -> usize {
+        let words = (self.bits() / 64 + 1).saturating_mul(other.bits() / 64 + 1);
+        usize::try_from(1 + words / CHEAP_WORDS).unwrap_or(usize::MAX)
+    }
+
+    /// What multiplying these costs.
+    fn cost(&self, other: &Self) -> usize {
+        self.len().saturating_mul(other.len()).saturating_mul(self.cost_per_term(other))
+    }
+
     fn bits(&self) -> u64 {
         self.terms.values().map(BigInt::bits).max().unwrap_or(0)
     }
@@ -128,7 +142,7 @@ impl Polynomial {
 
     /// a · b; `None` when too large.
     pub fn times(&self, other: &Self) -> Option<Self> {
-        if self.len() * other.len() > MAX_PRODUCTS || self.bits() + other.bits() > MAX_BITS {
+        if self.cost(other) > MAX_PRODUCTS || self.bits() + other.bits() > MAX_BITS {
             return None;
         }
         let mut product = Self::default();

@@ -3,6 +3,7 @@
 //! In: nodes. Out: whether a repeated factor, or a common one, is possible. A wrong "no" has a chance of about
 //! degree/2^61 and costs nothing but a rewriting that is not made; a "yes" is checked by exact algebra afterwards.
 
+use super::MAX_LETTERS;
 use super::expand::parts;
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::Op;
@@ -148,8 +149,11 @@ fn powered(p: &[u64], n: i64, work: &mut usize) -> Option<Univariate> {
     Some(result)
 }
 
+/// The letters; none where there are more than exact algebra would take.
 fn letters_of(graph: &Graph, root: NodeId) -> Vec<NodeId> {
-    parts(graph, root).into_iter().filter(|(_, interior)| !interior).map(|(id, _)| id).collect()
+    let letters: Vec<NodeId> =
+        parts(graph, root).into_iter().filter(|(_, interior)| !interior).map(|(id, _)| id).collect();
+    if letters.len() > MAX_LETTERS { Vec::new() } else { letters }
 }
 
 /// Whether the polynomial can have a repeated factor. No, where it is too large to say.

@@ -1,3 +1,5 @@
+//! Tests of the exact algebra: random products come apart again, and what would grow is declined.
+
 use super::Polynomial;
 use super::divisor::{coprime_part, gcd, quotient, square_free_factors};
 use super::expand::{Letters, expanded, node_of, total_degree};

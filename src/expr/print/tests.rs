@@ -1,3 +1,5 @@
+//! Tests of printing: text reads back as the same node; brackets and LaTeX by table.
+
 use super::{definitions, latex, text};
 use crate::expr::estimate::Random;
 use crate::expr::formula::{formula, typed};

@@ -1,3 +1,5 @@
+//! Tests of the rules: no value and no domain changes; what people write becomes one form.
+
 use crate::expr::estimate::{Estimate, Random, estimates};
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::{Op, Variable};

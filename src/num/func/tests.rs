@@ -1,3 +1,6 @@
+//! The quick form of the soak: errors against correctly rounded values.
+#![allow(clippy::print_stdout)]
+
 use super::*;
 use crate::num::level::Portable;
 
@@ -16,7 +19,7 @@ macro_rules! row {
     };
 }
 
-const TURNS: [(f64, f64); 6] = [(-0.8, 0.8), (0.7, 0.9), (-7.0, 7.0), (1.5707, 1.5709), (-1e6, 1e6), (1e-300, 1e300)];
+const TURNS: [(f64, f64); 6] = [(-0.8, 0.8), (0.7, 0.9), (-7.0, 7.0), (1.57, 1.572), (-1e6, 1e6), (1e-300, 1e300)];
 
 const ROWS: [Row; 18] = [
     row!(sin, core_math::sin, bound::SIN, TURNS),

@@ -1,5 +1,7 @@
 //! Rows of what is known and of the ranges, where a person can tell.
 
+#![allow(clippy::approx_constant, clippy::type_complexity)]
+
 use super::{Defined, Enclosure, Interval};
 use Defined::{Everywhere, Nowhere, Somewhere};
 

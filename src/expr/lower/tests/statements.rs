@@ -148,3 +148,17 @@ fn what_is_missing_is_not_reported_again_when_the_parser_failed() {
     let settings = super::Settings { set: Vec::new(), incomplete: true };
     assert!(errors(&super::lower(&parsed.program, &settings)).is_empty());
 }
+
+#[test]
+fn the_gallery_has_no_errors_and_something_to_draw() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/gallery");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("the gallery") {
+        let path = entry.expect("an entry").path();
+        let lowered = lowered(&std::fs::read_to_string(&path).expect("a text"));
+        assert!(errors(&lowered).is_empty(), "{}: {:?}", path.display(), lowered.diagnostics);
+        assert!(!lowered.surfaces.is_empty() && lowered.nothing_to_draw.is_empty(), "{}", path.display());
+        count += 1;
+    }
+    assert!(count >= 10);
+}
