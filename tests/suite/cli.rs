@@ -104,7 +104,9 @@ fn alone_it_greets_with_three_commands() {
 fn failures_leave_an_older_picture_as_it_was() {
     let folder = Folder::new();
     folder.write("a.png", "older");
-    for line in ["x^2+(|-o|a.png", "x^2+y^2+z^2+1=0|-o|a.png", "x=1|-o|a.png|--depth|missing/d.exr", "x=1|-o|a.png|-s|0x1"] {
+    for line in
+        ["x^2+(|-o|a.png", "x^2+y^2+z^2+1=0|-o|a.png", "x=1|-o|a.png|--depth|missing/d.exr", "x=1|-o|a.png|-s|0x1"]
+    {
         assert_ne!(folder.run(&words(line)).status, 0, "{line}");
         assert_eq!(folder.read("a.png"), b"older", "{line}");
         assert_eq!(folder.names(), ["a.png"]);
@@ -162,7 +164,12 @@ fn values_and_enclosures_are_printed_as_agreed() {
     ];
     for (args, input, expected) in rows {
         let said = folder.run_with(&[&["eval"], *args].concat(), input, &[]);
-        assert_eq!((said.status, String::from_utf8(said.out).unwrap().as_str()), (0, *expected), "{args:?} {}", said.err);
+        assert_eq!(
+            (said.status, String::from_utf8(said.out).unwrap().as_str()),
+            (0, *expected),
+            "{args:?} {}",
+            said.err
+        );
     }
     let said = folder.run_with(&["eval", "x", "--at", "-"], "1,2,3\n4,5\n", &[]);
     assert!(said.status == 1 && said.err.contains("<stdin>:2"), "{}", said.err);
@@ -205,8 +212,13 @@ fn standard_output_takes_a_picture_and_may_be_full_or_closed() {
         let status = Command::new(PROGRAM).args(["x=("]).args(["-o", "a.png"]).stderr(full).status().unwrap();
         assert_eq!(status.code(), Some(1));
     }
-    let mut child =
-        Command::new(PROGRAM).args(SMALL).args(["-o", "-"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = Command::new(PROGRAM)
+        .args(SMALL)
+        .args(["-o", "-"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
     drop(child.stdout.take());
     assert_eq!(said(child.wait_with_output().unwrap()).status, 1);
 }

@@ -4,9 +4,12 @@
 //! is judged here is more than one module.
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
 
+mod cli;
+mod command;
 mod grammar;
 mod long_texts;
 mod npy;
+mod pictures;
 mod tidy;
 mod tidy_scan;
 mod truth;
