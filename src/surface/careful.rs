@@ -65,7 +65,10 @@ pub(crate) struct Careful<'a> {
     pub(crate) kind: Kind,
     pub(crate) ray: &'a Ray,
     pub(crate) size: f64,
+    /// Registers of the sheet's scalar outputs.
     pub(crate) scratch: &'a mut Scratch,
+    /// Registers of g alone, side by side of its jumps.
+    pub(crate) sides: &'a mut Scratch,
     /// Enclosures taken so far.
     pub(crate) cells: u64,
 }
@@ -96,7 +99,7 @@ impl Careful<'_> {
 
     fn examine(&mut self, a: f64, b: f64) -> Slab {
         let [g, slope, curvature] = self.enclose(a, b);
-        if self.is_out(&g) || self.fails_everywhere() {
+        if is_out(self.kind, &g) || self.fails_everywhere() {
             return Slab::Nothing;
         }
         let (length, scale) = (b - a, self.scale(a));
@@ -108,7 +111,7 @@ impl Careful<'_> {
             return self.monotone(a, b);
         }
         if smooth && length <= BRACKET * scale && self.sign(a) * self.sign(b) == -1 {
-            return self.root(a, b);
+            return self.root(a, b, false);
         }
         if smooth && length <= SHORT * scale && is_nonzero(&curvature) {
             if let Some(slab) = self.extremum(a, b, curvature.range) {
@@ -135,34 +138,24 @@ impl Careful<'_> {
         if g.defined != Defined::Everywhere { 0 } else { sign_of(g.range) }
     }
 
-    fn is_out(&self, g: &Enclosure) -> bool {
-        match self.kind {
-            Kind::Equation => g.defined == Defined::Nowhere || sign_of(g.range) != 0,
-            // Without a change of sign there is no boundary: touching zero is not crossing it.
-            Kind::Solid => g.defined == Defined::Nowhere || g.range.lo >= 0.0 || g.range.hi <= 0.0,
-        }
-    }
-
     /// Whether a condition, as left by the last [`Self::enclose`], fails on all of the slab.
     fn fails_everywhere(&self) -> bool {
         let (guards, nonzero) = (self.sheet.guards, self.sheet.nonzero);
-        let condition = |k: usize| self.sheet.scalar.output(self.scratch, 3 + k);
-        (0..guards).any(|k| condition(k).defined == Defined::Nowhere)
-            || (0..self.sheet.fields).any(|k| condition(guards + nonzero + k).range.lo > 0.0)
+        (0..guards).any(|k| self.condition(k).defined == Defined::Nowhere)
+            || (0..self.sheet.fields).any(|k| self.condition(guards + nonzero + k).range.lo > 0.0)
     }
 
+    /// Whether nothing is there on any side of the jumps and poles in the slab.
     fn pieces_are_out(&mut self, a: f64, b: f64) -> bool {
-        let (sheet, kind) = (self.sheet, self.kind);
-        let count = sheet.scalar.all_pieces(&slab_of(self.ray, a, b), self.scratch, |g| match kind {
-            Kind::Equation => g.defined == Defined::Nowhere || sign_of(g.range) != 0,
-            Kind::Solid => g.defined == Defined::Nowhere || g.range.lo >= 0.0 || g.range.hi <= 0.0,
-        });
+        let kind = self.kind;
+        let slab = slab_of(self.ray, a, b);
+        let count = self.sheet.sides.all_pieces(&slab, self.sides, |g| is_out(kind, g));
         self.cells += count.unsigned_abs();
         count > 0
     }
 
-    /// The conditions over [a, b].
-    fn conditions(&mut self, a: f64, b: f64) -> Conditions {
+    /// The conditions over the bracket [a, b], on which g has one root if it is monotone.
+    fn conditions(&mut self, a: f64, b: f64, monotone: bool) -> Conditions {
         if self.sheet.is_free() {
             return Conditions::Hold;
         }
@@ -170,18 +163,39 @@ impl Careful<'_> {
         if self.fails_everywhere() {
             return Conditions::Fail;
         }
-        let (guards, nonzero) = (self.sheet.guards, self.sheet.nonzero);
-        let condition = |k: usize| self.sheet.scalar.output(self.scratch, 3 + k);
+        let (first, last) = (self.sheet.guards, self.sheet.guards + self.sheet.nonzero);
         // A bracket that straddles the clip's edge may count either way; it counts.
-        let hold = (0..guards).all(|k| condition(k).defined == Defined::Everywhere)
-            && (guards..guards + nonzero).all(|k| is_nonzero(&condition(k)));
-        if hold { Conditions::Hold } else { Conditions::Unknown }
+        let defined = (0..first).all(|k| self.condition(k).defined == Defined::Everywhere);
+        let doubtful: Vec<usize> = (first..last).filter(|&k| !is_nonzero(&self.condition(k))).collect();
+        if defined && doubtful.is_empty() {
+            return Conditions::Hold;
+        }
+        let is_shared = |k: &usize| self.sheet.shared_roots[k - first];
+        if monotone && doubtful.iter().any(|k| is_shared(k) && self.crosses_zero(*k, a, b)) {
+            // The one root of g is that of a denominator.
+            return Conditions::Fail;
+        }
+        Conditions::Unknown
+    }
+
+    /// The k-th condition, as left by the last [`Self::enclose`].
+    fn condition(&self, k: usize) -> Enclosure {
+        self.sheet.scalar.output(self.scratch, 3 + k)
+    }
+
+    /// Whether the k-th condition is continuous on [a, b] and of opposite signs at its ends.
+    fn crosses_zero(&mut self, k: usize, a: f64, b: f64) -> bool {
+        let [whole, front, behind] = [(a, b), (a, a), (b, b)].map(|(a, b)| {
+            self.enclose(a, b);
+            self.condition(k)
+        });
+        is_smooth(&whole) && sign_of(front.range) * sign_of(behind.range) == -1
     }
 
     /// A bracket with a change of sign, at most [`BRACKET`] wide.
-    fn root(&mut self, a: f64, b: f64) -> Slab {
+    fn root(&mut self, a: f64, b: f64, monotone: bool) -> Slab {
         let (t, width) = (0.5 * (a + b), 0.5 * (b - a));
-        match self.conditions(a, b) {
+        match self.conditions(a, b, monotone) {
             Conditions::Hold => Slab::Found(End::Root { t, width }),
             Conditions::Fail => Slab::Nothing,
             Conditions::Unknown => Slab::Found(End::Undecided { t, width }),
@@ -240,7 +254,7 @@ impl Careful<'_> {
             }
         }
         if hi - lo <= BRACKET * self.scale(a) {
-            self.root(lo, hi)
+            self.root(lo, hi, true)
         } else {
             Slab::Found(End::Undecided { t: 0.5 * (lo + hi), width: 0.5 * (hi - lo) })
         }
@@ -310,7 +324,7 @@ impl Careful<'_> {
         let depth = g.range.lo.abs().max(g.range.hi.abs());
         let bend = curvature.lo.abs().min(curvature.hi.abs());
         let (t, width) = (0.5 * (lo + hi), hi - lo + (2.0 * depth / bend).sqrt());
-        match self.conditions(lo, hi) {
+        match self.conditions(lo, hi, false) {
             Conditions::Fail => Slab::Nothing,
             _ => Slab::Found(End::Touch { t, width: width.min(b - a) }),
         }
@@ -321,7 +335,7 @@ impl Careful<'_> {
         let [g, ..] = self.enclose(a, b);
         let signs = self.sign(a) * self.sign(b);
         if is_smooth(&g) && signs == -1 {
-            return self.root(a, b);
+            return self.root(a, b, false);
         }
         if self.pieces_are_out(a, b) {
             return Slab::Nothing;
@@ -347,6 +361,15 @@ fn slab_of(ray: &Ray, a: f64, b: f64) -> [Interval; 6] {
             Interval { lo: d - 4.0 * UNIT, hi: d + 4.0 * UNIT }
         }
     })
+}
+
+/// Whether nothing is drawn in a slab with this enclosure.
+fn is_out(kind: Kind, g: &Enclosure) -> bool {
+    match kind {
+        Kind::Equation => g.defined == Defined::Nowhere || sign_of(g.range) != 0,
+        // Without a change of sign there is no boundary: touching zero is not crossing it.
+        Kind::Solid => g.defined == Defined::Nowhere || g.range.lo >= 0.0 || g.range.hi <= 0.0,
+    }
 }
 
 fn sign_of(range: Interval) -> i32 {

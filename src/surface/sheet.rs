@@ -64,10 +64,14 @@ pub(crate) struct Sheet {
     pub(crate) gradient: Kernel<Points>,
     /// g, g', g'' and then the conditions, one piece of a ray at a time.
     pub(crate) scalar: Pieces,
+    /// g alone, with its jumps and poles taken apart.
+    pub(crate) sides: Pieces,
     /// How many of the scalar outputs behind g'' must be defined where a root counts.
     pub(crate) guards: usize,
     /// How many behind those must not be 0 there.
     pub(crate) nonzero: usize,
+    /// For each of those, whether g is 0 wherever it is.
+    pub(crate) shared_roots: Vec<bool>,
     /// How many behind those must be ≤ 0 there: the clip's own formulas.
     pub(crate) fields: usize,
 }
@@ -130,6 +134,8 @@ fn sheet(graph: &mut Graph, part: &equation::Sheet, fields: &[NodeId], simd: Sim
         point: Kernel::new(&Tape::new(graph, &[g]), simd),
         gradient: Kernel::new(&Tape::new(graph, &[g, gx, gy, gz]), simd),
         scalar: Pieces::new(Tape::new(graph, &scalar), simd),
+        sides: Pieces::new(Tape::new(graph, &[g]), simd),
+        shared_roots: part.nonzero.iter().map(|&d| equation::vanishes_with(graph, g, d)).collect(),
         guards: part.guards.len(),
         nonzero: part.nonzero.len(),
         fields: fields.len(),

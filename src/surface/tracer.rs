@@ -54,6 +54,7 @@ struct Memory {
     point: Vec<Points>,
     gradient: Vec<Points>,
     scalar: Scratch,
+    sides: Scratch,
 }
 
 impl Memory {
@@ -63,6 +64,7 @@ impl Memory {
             point: sheet.point.registers(),
             gradient: sheet.gradient.registers(),
             scalar: sheet.scalar.scratch(),
+            sides: sheet.sides.scratch(),
         }
     }
 }
@@ -204,9 +206,16 @@ impl<'a> Tracer<'a> {
     /// Settles the stretch from `open.a` to `b` of one ray.
     fn careful(&mut self, surface: &Surface, index: usize, k: usize, open: Open, b: f64, job: &mut Job) {
         let ray = &job.rays[open.ray as usize];
-        let scratch = &mut self.files[index][k].scalar;
-        let mut careful =
-            Careful { sheet: &surface.sheets[k], kind: surface.kind, ray, size: surface.size, scratch, cells: 0 };
+        let memory = &mut self.files[index][k];
+        let mut careful = Careful {
+            sheet: &surface.sheets[k],
+            kind: surface.kind,
+            ray,
+            size: surface.size,
+            scratch: &mut memory.scalar,
+            sides: &mut memory.sides,
+            cells: 0,
+        };
         let end = careful.trace(open.a, b);
         self.counts.cells += careful.cells;
         job.hits[open.ray as usize].cost += careful.cells as u32;
