@@ -36,11 +36,24 @@ const EXTREME_CELLS: u32 = 3000;
 /// An extreme is found to this share of the searched box.
 const EXTREME_SHARE: f64 = 1.0 / 512.0;
 
+/// Boxes that are followed down to the smallest when a search for an extreme has no work left, and how many of them
+/// have to hold something down there.
+const DIVES: (usize, usize) = (1000, 16);
+
 /// The width to which the point nearest to the origin is found, and the grid it is put on.
 const NEAREST_WIDTH: f64 = 1.0 / 128.0;
 
-/// How much farther than the nearest point others may be to count as equally near.
-const TIE_WIDTH: f64 = 1.0 / 16.0;
+/// The same as a share of its distance: what is far is not found finer than the picture shows.
+const NEAREST_SHARE: f64 = 1.0 / 256.0;
+
+/// The width of the boxes by which points are compared that are about as near as the nearest.
+const TIE_WIDTH: f64 = 1.0 / 8.0;
+
+/// Boxes asked about to find all of those; if there are more, the nearest alone counts.
+const TIE_CELLS: u32 = 8000;
+
+/// The grid on which the middle of the picture is put, so that what is printed can be typed.
+const GRID: f64 = 1.0 / 16.0;
 
 /// What is proven of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -222,28 +235,52 @@ impl Search<'_> {
     fn nearest(&mut self) -> Result<Framing, Nothing> {
         let mut queue = BinaryHeap::from([Ranked::new(Cube::around_origin(f64::from(1u32 << MAX_POWER)), &nearness)]);
         let mut proven = None;
-        let mut found: Vec<DVec3> = Vec::new();
         self.cells_left = MAX_CELLS;
         while let Some(Ranked { key, cube }) = queue.pop() {
-            if found.first().is_some_and(|first| -key > first.length() + TIE_WIDTH) || self.cells_left == 0 {
-                break;
-            }
-            self.cells_left -= 1;
+            let width = NEAREST_WIDTH.max(-key * NEAREST_SHARE);
+            self.cells_left = self.cells_left.saturating_sub(1);
             match (self.classify)(cube.min, cube.max) {
-                Cell::Possible if cube.width() <= NEAREST_WIDTH => {
-                    found.push(cube.nearest_point());
-                    self.cells_left = self.cells_left.min(EXTREME_CELLS);
+                Cell::Possible if cube.width() <= width || self.cells_left == 0 => {
+                    let center = self.center_of_nearest(cube.nearest_point());
+                    return Ok(Framing { center, radius: ENDLESS_RADIUS, is_all: false });
                 }
                 Cell::Possible => queue.extend(cube.children().map(|child| Ranked::new(child, &nearness))),
                 other => proven = Some(if proven.is_none_or(|p| p == other) { other } else { Cell::Empty }),
             }
         }
-        // Out of work without a certain point: the nearest box that may hold one says where to look.
-        let found =
-            if found.is_empty() { queue.pop().map(|r| r.cube.nearest_point()).into_iter().collect() } else { found };
-        match middle_of_nearest(&found) {
-            Some(center) => Ok(Framing { center, radius: ENDLESS_RADIUS, is_all: false }),
-            None => Err(Nothing(proven.unwrap_or(Cell::Empty))),
+        Err(Nothing(proven.unwrap_or(Cell::Empty)))
+    }
+
+    /// The middle of all points about as near as the nearest, if it is close to them; else the nearest itself.
+    fn center_of_nearest(&mut self, nearest: DVec3) -> DVec3 {
+        let distance = nearest.length();
+        let mut found = Vec::new();
+        self.cells_left = TIE_CELLS;
+        let half = f64::from((distance + 1.0).min(1e6).ceil() as u32).max(1.0);
+        let half = (half as u32).next_power_of_two();
+        self.gather(Cube::around_origin(f64::from(half)), distance + TIE_WIDTH, &mut found);
+        let middle = found.iter().sum::<DVec3>() / found.len().max(1) as f64;
+        let is_close = (middle - nearest).length() < ENDLESS_RADIUS / 2.0;
+        let center = if self.cells_left > 0 && !found.is_empty() && is_close { middle } else { nearest };
+        // Adding zero makes no zero negative.
+        (center / GRID).round() * GRID + 0.0
+    }
+
+    /// The middles of boxes within `distance` of the origin that may hold a surface.
+    fn gather(&mut self, cube: Cube, distance: f64, found: &mut Vec<DVec3>) {
+        if self.cells_left == 0 || cube.nearest_point().length() > distance {
+            return;
+        }
+        self.cells_left -= 1;
+        if (self.classify)(cube.min, cube.max) != Cell::Possible {
+            return;
+        }
+        if cube.width() <= TIE_WIDTH {
+            found.push((cube.min + cube.max) * 0.5);
+            return;
+        }
+        for child in cube.children() {
+            self.gather(child, distance, found);
         }
     }
 }
@@ -252,22 +289,19 @@ fn nearness(cube: &Cube) -> f64 {
     -cube.nearest_point().length()
 }
 
-/// The middle of points that are about equally near to the origin, if they are close together; else the first.
-fn middle_of_nearest(found: &[DVec3]) -> Option<DVec3> {
-    let first = *found.first()?;
-    let middle = found.iter().sum::<DVec3>() / found.len() as f64;
-    let center = if (middle - first).length() < ENDLESS_RADIUS / 2.0 { middle } else { first };
-    let grid = 8.0 * NEAREST_WIDTH;
-    Some((center / grid).round() * grid + 0.0)
-}
-
 /// The largest key of a box that may hold a surface, found to `width`; `None` if no box can.
+///
+/// Without work left, the boxes of the largest keys are followed down one by one: then the key is that of a box that
+/// may hold a surface, as before, and may be less than the largest by what the margin makes good.
 fn extreme(classify: Classify, within: Cube, width: f64, cells: u32, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
     let mut queue = BinaryHeap::from([Ranked::new(within, key)]);
     let mut cells_left = cells;
     while let Some(Ranked { key: found, cube }) = queue.pop() {
         if cells_left == 0 {
-            return Some(found);
+            queue.push(Ranked { key: found, cube });
+            let tops = std::iter::from_fn(|| queue.pop()).take(DIVES.0);
+            let keys = tops.filter_map(|top| dive(classify, top.cube, width, key));
+            return keys.take(DIVES.1).reduce(f64::max).or(Some(found));
         }
         cells_left -= 1;
         if classify(cube.min, cube.max) == Cell::Possible {
@@ -278,6 +312,19 @@ fn extreme(classify: Classify, within: Cube, width: f64, cells: u32, key: &dyn F
         }
     }
     None
+}
+
+/// The key of a smallest box in the cube that may hold a surface, largest keys first.
+fn dive(classify: Classify, cube: Cube, width: f64, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
+    if classify(cube.min, cube.max) != Cell::Possible {
+        return None;
+    }
+    if cube.width() <= width {
+        return Some(key(&cube));
+    }
+    let mut children = cube.children();
+    children.sort_by(|a, b| key(b).total_cmp(&key(a)));
+    children.into_iter().find_map(|child| dive(classify, child, width, key))
 }
 
 /// A box with its place in a queue: the largest key first, of equal keys the smallest box, then by place.
@@ -366,9 +413,11 @@ mod tests {
                 () => Cell::Possible,
             }
         };
-        for height in [0.0, 1.0, -40.0, 1000.0] {
+        for height in [0.0, 1.0, -40.0, 1000.0f64] {
             let framing = find(&plane(height)).unwrap();
-            assert_eq!(framing, Framing { center: DVec3::Z * height, radius: 6.0, is_all: false });
+            let tolerance = 0.1 + height.abs() / 64.0;
+            assert!((framing.center - DVec3::Z * height).length() < tolerance, "{height}: {framing:?}");
+            assert_eq!((framing.radius, framing.is_all), (6.0, false));
         }
     }
 
