@@ -151,11 +151,18 @@ for_each_level! {
                 Op::Atan2 => binary!(step, atan2),
                 Op::Choose => {
                     let ([c, a, b], out) = (step.args.map(|a| a as usize), step.out as usize);
-                    Box::new(move |r: &mut [T]| {
-                        let mut result = r[out].clone();
-                        T::choose::<L>(&r[c], &r[a], &r[b], &mut result);
-                        r[out] = result;
-                    })
+                    if c == a || a == b || b == c {
+                        Box::new(move |r: &mut [T]| {
+                            let mut result = r[out].clone();
+                            T::choose::<L>(&r[c], &r[a], &r[b], &mut result);
+                            r[out] = result;
+                        })
+                    } else {
+                        Box::new(move |r: &mut [T]| {
+                            let [c, a, b, out] = r.get_disjoint_mut([c, a, b, out]).expect(DISTINCT);
+                            T::choose::<L>(c, a, b, out);
+                        })
+                    }
                 }
             });
         }

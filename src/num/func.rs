@@ -119,8 +119,10 @@ pub fn max(a: f64, b: f64) -> f64 {
 /// a where c ≤ 0, b where c > 0, NaN where c is NaN.
 #[inline(always)]
 pub fn choose(c: f64, a: f64, b: f64) -> f64 {
-    let chosen = if c <= 0.0 { a } else { b };
-    if c.is_nan() { c } else { chosen }
+    // By masks: of two loads the compiler would make only the one that is needed, one lane after the other.
+    let first = u64::from(c <= 0.0).wrapping_neg();
+    let none = u64::from(c.is_nan()).wrapping_neg();
+    f64::from_bits((a.to_bits() & first) | (b.to_bits() & !first) | none)
 }
 
 #[cfg(test)]

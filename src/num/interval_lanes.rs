@@ -5,6 +5,7 @@
 //! are unusual (infinite, empty, near underflow, out of the domain) are computed again by `interval`.
 
 mod arithmetic;
+mod choice;
 mod elementary;
 
 use super::interval::{Defined, Enclosure, Interval};
@@ -100,8 +101,8 @@ impl<const N: usize> Number for IntervalLanes<N> {
         arithmetic::sub(a, b)<L>;
         arithmetic::mul(a, b)<L>;
         arithmetic::div(a, b)<L>;
-        arithmetic::min(a, b);
-        arithmetic::max(a, b);
+        choice::min(a, b);
+        choice::max(a, b);
         elementary::exp(a)<L>;
         elementary::ln(a)<L>;
         elementary::log2(a)<L>;
@@ -146,8 +147,6 @@ impl<const N: usize> Number for IntervalLanes<N> {
 
     #[inline(always)]
     fn choose<L: Level>(c: &Self, a: &Self, b: &Self, out: &mut Self) {
-        for i in 0..N {
-            out.set(i, Enclosure::choose(c.get(i), a.get(i), b.get(i)));
-        }
+        choice::choose(c, a, b, out);
     }
 }

@@ -146,8 +146,24 @@ impl<const N: usize> Number for Lanes<N> {
 
     #[inline(always)]
     fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
-        out.0 = a.0;
-        power_all::<L, N>(&mut out.0, n);
+        // A loop for each of the common exponents keeps every lane's factors in machine registers.
+        macro_rules! raise {
+            ($n:literal) => {
+                for i in 0..N {
+                    out.0[i] = func::power::<L>(a.0[i], $n);
+                }
+            };
+        }
+        match n {
+            3 => raise!(3),
+            4 => raise!(4),
+            5 => raise!(5),
+            6 => raise!(6),
+            _ => {
+                out.0 = a.0;
+                power_all::<L, N>(&mut out.0, n);
+            }
+        }
     }
 
     #[inline(always)]

@@ -177,6 +177,26 @@ pub(super) fn mul<L: Level, const N: usize>(a: &IntervalLanes<N>, b: &IntervalLa
         let (p, q, r, s) = (al * bl, al * bh, ah * bl, ah * bh);
         let least = lesser(lesser(p, q), lesser(r, s));
         let most = greater(greater(p, q), greater(r, s));
+        (out.lo[i], out.hi[i]) = (down::<L>(least), up::<L>(most));
+        let plain = (((p + s) + (q + r)).abs() < f64::INFINITY) & (lesser(least.abs(), most.abs()) >= TINY);
+        odd[i] = word(!plain);
+    }
+    join(&a.flags, &b.flags, &mut out.flags);
+    // A bound of 0 and one near underflow need more than a push outward; NaN and ∞ stay in the sum.
+    if any(&odd) {
+        mul_near_zero::<L, N>(a, b, out);
+    }
+}
+
+/// [`mul`] where a product is 0, may have vanished, or is not finite.
+#[inline(always)]
+fn mul_near_zero<L: Level, const N: usize>(a: &IntervalLanes<N>, b: &IntervalLanes<N>, out: &mut IntervalLanes<N>) {
+    let mut odd = [0; N];
+    for i in 0..N {
+        let (al, ah, bl, bh) = (a.lo[i], a.hi[i], b.lo[i], b.hi[i]);
+        let (p, q, r, s) = (al * bl, al * bh, ah * bl, ah * bh);
+        let least = lesser(lesser(p, q), lesser(r, s));
+        let most = greater(greater(p, q), greater(r, s));
         // Underflow may hide a sign, and must not move a bound that is exactly 0.
         let negative = ((al < 0.0) & (bh > 0.0)) | ((ah > 0.0) & (bl < 0.0));
         let positive = ((ah > 0.0) & (bh > 0.0)) | ((al < 0.0) & (bl < 0.0));
@@ -185,7 +205,6 @@ pub(super) fn mul<L: Level, const N: usize>(a: &IntervalLanes<N>, b: &IntervalLa
         out.hi[i] = if positive { hi } else { lesser(hi, 0.0) };
         odd[i] = word(!(((p + s) + (q + r)).abs() < f64::INFINITY));
     }
-    join(&a.flags, &b.flags, &mut out.flags);
     if any(&odd) {
         repair_pairs(a, b, out, &odd, Enclosure::times);
     }
@@ -210,24 +229,6 @@ pub(super) fn div<L: Level, const N: usize>(a: &IntervalLanes<N>, b: &IntervalLa
     if any(&odd) {
         repair_pairs(a, b, out, &odd, Enclosure::over);
     }
-}
-
-#[inline(always)]
-pub(super) fn min<const N: usize>(a: &IntervalLanes<N>, b: &IntervalLanes<N>, out: &mut IntervalLanes<N>) {
-    for i in 0..N {
-        out.lo[i] = func::min(a.lo[i], b.lo[i]);
-        out.hi[i] = func::min(a.hi[i], b.hi[i]);
-    }
-    join(&a.flags, &b.flags, &mut out.flags);
-}
-
-#[inline(always)]
-pub(super) fn max<const N: usize>(a: &IntervalLanes<N>, b: &IntervalLanes<N>, out: &mut IntervalLanes<N>) {
-    for i in 0..N {
-        out.lo[i] = func::max(a.lo[i], b.lo[i]);
-        out.hi[i] = func::max(a.hi[i], b.hi[i]);
-    }
-    join(&a.flags, &b.flags, &mut out.flags);
 }
 
 #[inline(always)]
