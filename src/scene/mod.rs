@@ -4,7 +4,7 @@
 //! colours of the surfaces' two sides, the lights. Separate from drawing, because every way of drawing looks at the
 //! same scene.
 //!
-//! - [`angle`]: degrees.
+//! - `angle`: degrees.
 //! - [`camera`]: the ray of a pixel.
 //! - [`colour`]: sRGB as linear light; the palette.
 //! - [`framing`]: the ball around what there is to see.

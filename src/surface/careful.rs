@@ -113,10 +113,12 @@ impl Careful<'_> {
         if smooth && length <= BRACKET * scale && self.sign(a) * self.sign(b) == -1 {
             return self.root(a, b, false);
         }
-        if smooth && length <= SHORT * scale && is_nonzero(&curvature) {
-            if let Some(slab) = self.extremum(a, b, curvature.range) {
-                return slab;
-            }
+        if smooth
+            && length <= SHORT * scale
+            && is_nonzero(&curvature)
+            && let Some(slab) = self.extremum(a, b, curvature.range)
+        {
+            return slab;
         }
         if length <= SHORTEST * scale {
             return self.limit(a, b);
