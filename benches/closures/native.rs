@@ -54,6 +54,7 @@ macro_rules! cases {
 macro_rules! pointwise {
     ($($name:ident |$level:ident, $x:ident, $y:ident, $z:ident| $body:block)*) => { $(
         #[inline(always)]
+        #[allow(clippy::extra_unused_type_parameters, reason = "polynomials are the same at every level")]
         fn $name<$level: Level>(points: &Points, out: &mut Values) {
             for i in 0..64 {
                 let ($x, $y, $z) = (points[0][i], points[1][i], points[2][i]);
