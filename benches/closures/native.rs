@@ -5,7 +5,7 @@
 
 use implicit::num::func::exponential::exp;
 use implicit::num::func::trigonometric::sin_cos_reducible;
-use implicit::num::level::{Fused, Portable};
+use implicit::num::level::{Fused, Level, Portable};
 
 type Points = [[f64; 64]; 3];
 type Values = [[f64; 64]; 4];
@@ -31,9 +31,9 @@ pub(crate) fn run(case: &Case, points: &Points, out: &mut Values) {
     (case.portable)(points, out);
 }
 
-/// One body for both levels, which is inlined into a function that has the instructions.
+/// The table of formulas: name, goal, text, function by hand.
 macro_rules! cases {
-    ($($name:literal, $goal:literal, $text:expr, |$level:ident, $x:ident, $y:ident, $z:ident| $body:expr;)*) => {
+    ($($name:literal, $goal:literal, $text:expr, $function:ident;)*) => {
         pub(crate) const CASES: &[Case] = &[$(Case {
             name: $name,
             text: || $text,
@@ -41,30 +41,28 @@ macro_rules! cases {
             fused: {
                 #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
                 fn fused(points: &Points, out: &mut Values) {
-                    #[allow(dead_code)]
-                    type $level = Fused;
-                    for i in 0..64 {
-                        let ($x, $y, $z) = (points[0][i], points[1][i], points[2][i]);
-                        let [f, fx, fy, fz]: [f64; 4] = $body;
-                        (out[0][i], out[1][i], out[2][i], out[3][i]) = (f, fx, fy, fz);
-                    }
+                    $function::<Fused>(points, out);
                 }
                 fused
             },
-            portable: {
-                fn portable(points: &Points, out: &mut Values) {
-                    #[allow(dead_code)]
-                    type $level = Portable;
-                    for i in 0..64 {
-                        let ($x, $y, $z) = (points[0][i], points[1][i], points[2][i]);
-                        let [f, fx, fy, fz]: [f64; 4] = $body;
-                        (out[0][i], out[1][i], out[2][i], out[3][i]) = (f, fx, fy, fz);
-                    }
-                }
-                portable
-            },
+            portable: $function::<Portable>,
         }),*];
     };
+}
+
+/// Functions of 64 points from an expression of one.
+macro_rules! pointwise {
+    ($($name:ident |$level:ident, $x:ident, $y:ident, $z:ident| $body:block)*) => { $(
+        #[inline(always)]
+        #[allow(clippy::extra_unused_type_parameters, reason = "polynomials are the same at every level")]
+        fn $name<$level: Level>(points: &Points, out: &mut Values) {
+            for i in 0..64 {
+                let ($x, $y, $z) = (points[0][i], points[1][i], points[2][i]);
+                let [f, fx, fy, fz]: [f64; 4] = $body;
+                (out[0][i], out[1][i], out[2][i], out[3][i]) = (f, fx, fy, fz);
+            }
+        }
+    )* };
 }
 
 const BARTH: &str = "g = golden
@@ -109,51 +107,49 @@ fn spheres() -> String {
 }
 
 cases! {
-    "sphere", 4.0, "x^2 + y^2 + z^2 = 1".into(), |L, x, y, z| {
+    "sphere", 4.0, "x^2 + y^2 + z^2 = 1".into(), sphere;
+    "z - sin x cos y", 4.0, "z = sin(x)*cos(y)".into(), eggcrate;
+    "Barth sextic", 4.0, BARTH.into(), barth;
+    "tanglecube", 6.0, "x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8 = 0".into(), tanglecube;
+    "gyroid", 4.0, "sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x) = 0".into(), gyroid;
+    "20 Gaussians", 4.0, gaussians(), sum_of_gaussians;
+    "27 spheres by min", 4.0, spheres(), nearest_sphere;
+}
+
+pointwise! {
+    sphere |L, x, y, z| {
         [x * x + y * y + z * z - 1.0, 2.0 * x, 2.0 * y, 2.0 * z]
-    };
-    "z - sin x cos y", 4.0, "z = sin(x)*cos(y)".into(), |L, x, y, z| {
+    }
+    eggcrate |L, x, y, z| {
         let (sx, cx) = sin_cos_reducible::<L>(x);
         let (sy, cy) = sin_cos_reducible::<L>(y);
         [z - sx * cy, -(cx * cy), sx * sy, 1.0]
-    };
-    "Barth sextic", 4.0,
-    BARTH.into(), |L, x, y, z| {
+    }
+    barth |L, x, y, z| {
         let (x2, y2, z2) = (x * x, y * y, z * z);
         let (a, b, c) = (PHI2 * x2 - y2, PHI2 * y2 - z2, PHI2 * z2 - x2);
         let s = x2 + y2 + z2 - 1.0;
-        let (ab, bc, ca) = (a * b, b * c, c * a);
-        let w = (4.0 * (1.0 + 2.0 * PHI)) * s;
-        let f = 4.0 * ab * c - (1.0 + 2.0 * PHI) * s * s;
+        let k = 1.0 + 2.0 * PHI;
+        let w = 4.0 * k * s;
         [
-            f,
-            x * (8.0 * (PHI2 * bc - ab) - w),
-            y * (8.0 * (PHI2 * ca - bc) - w),
-            z * (8.0 * (PHI2 * ab - ca) - w),
+            4.0 * a * b * c - k * s * s,
+            4.0 * (2.0 * PHI2 * x * b * c - a * b * (2.0 * x)) - w * x,
+            4.0 * (2.0 * PHI2 * y * a * c - b * c * (2.0 * y)) - w * y,
+            4.0 * (2.0 * PHI2 * z * a * b - a * c * (2.0 * z)) - w * z,
         ]
-    };
-    "tanglecube", 6.0, "x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8 = 0".into(), |L, x, y, z| {
+    }
+    tanglecube |L, x, y, z| {
         let (x2, y2, z2) = (x * x, y * y, z * z);
         let f = x2 * (x2 - 5.0) + y2 * (y2 - 5.0) + z2 * (z2 - 5.0) + 11.8;
         [f, x * (4.0 * x2 - 10.0), y * (4.0 * y2 - 10.0), z * (4.0 * z2 - 10.0)]
-    };
-    "gyroid", 4.0, "sin(x)*cos(y) + sin(y)*cos(z) + sin(z)*cos(x) = 0".into(), |L, x, y, z| {
+    }
+    gyroid |L, x, y, z| {
         let (sx, cx) = sin_cos_reducible::<L>(x);
         let (sy, cy) = sin_cos_reducible::<L>(y);
         let (sz, cz) = sin_cos_reducible::<L>(z);
         [sx * cy + sy * cz + sz * cx, cx * cy - sz * sx, cy * cz - sx * sy, cz * cx - sy * sz]
-    };
-    "20 Gaussians", 4.0, gaussians(), |L, x, y, z| {
-        let mut sum = [-0.5, 0.0, 0.0, 0.0];
-        for c in &GAUSSIANS {
-            let (u, v, w) = (x - c[0], y - c[1], z - c[2]);
-            let e = exp::<L>(-4.0 * (u * u + v * v + w * w));
-            let slope = -8.0 * e;
-            sum = [sum[0] + e, sum[1] + slope * u, sum[2] + slope * v, sum[3] + slope * w];
-        }
-        sum
-    };
-    "27 spheres by min", 4.0, spheres(), |L, x, y, z| {
+    }
+    nearest_sphere |L, x, y, z| {
         let mut best = [f64::INFINITY, 0.0, 0.0, 0.0];
         for c in &SPHERES {
             let (u, v, w) = (x - c[0], y - c[1], z - c[2]);
@@ -162,5 +158,22 @@ cases! {
             best = if nearer { [f, 2.0 * u, 2.0 * v, 2.0 * w] } else { best };
         }
         best
-    };
+    }
+}
+
+/// Term by term over all points: the other way round it does not become vector instructions.
+#[inline(always)]
+fn sum_of_gaussians<L: Level>(points: &Points, out: &mut Values) {
+    *out = [[-0.5; 64], [0.0; 64], [0.0; 64], [0.0; 64]];
+    for c in &GAUSSIANS {
+        for i in 0..64 {
+            let (u, v, w) = (points[0][i] - c[0], points[1][i] - c[1], points[2][i] - c[2]);
+            let e = exp::<L>(-4.0 * (u * u + v * v + w * w));
+            let slope = -8.0 * e;
+            out[0][i] += e;
+            out[1][i] += slope * u;
+            out[2][i] += slope * v;
+            out[3][i] += slope * w;
+        }
+    }
 }

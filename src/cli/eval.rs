@@ -105,6 +105,8 @@ fn cell(values: [f64; 6]) -> Result<[Interval; 3], String> {
 fn print_values(formulas: &[Formula], at: DVec3, json: bool) -> String {
     let line = |formula: &Formula| {
         let (value, g) = formula.gradient(at);
+        // Where f has no value it has no derivative, although the formula of the derivative may have one.
+        let g = if value.is_nan() { DVec3::NAN } else { g };
         if json {
             let gradient = g.to_array().map(json_number).join(",");
             format!("{{\"value\":{},\"gradient\":[{gradient}]}}\n", json_number(value))

@@ -146,19 +146,9 @@ impl<const N: usize> Number for Lanes<N> {
 
     #[inline(always)]
     fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
-        // A loop for each of the common exponents keeps every lane's factors in machine registers.
-        macro_rules! raise {
-            ($n:literal) => {
-                for i in 0..N {
-                    out.0[i] = func::power::<L>(a.0[i], $n);
-                }
-            };
-        }
         match n {
-            3 => raise!(3),
-            4 => raise!(4),
-            5 => raise!(5),
-            6 => raise!(6),
+            3 => each_lane(a, out, cube::<L>),
+            4 => each_lane(a, out, fourth_power::<L>),
             _ => {
                 out.0 = a.0;
                 power_all::<L, N>(&mut out.0, n);
@@ -179,6 +169,34 @@ impl<const N: usize> Number for Lanes<N> {
             out.0[i] = func::choose(c.0[i], a.0[i], b.0[i]);
         }
     }
+}
+
+#[inline(always)]
+fn each_lane<const N: usize>(a: &Lanes<N>, out: &mut Lanes<N>, f: impl Fn(f64) -> f64) {
+    for i in 0..N {
+        out.0[i] = f(a.0[i]);
+    }
+}
+
+/// x³: [`func::power`] without the steps that do nothing to so small an exponent; only the sign of a result that
+/// vanished may differ.
+#[inline(always)]
+fn cube<L: Level>(x: f64) -> f64 {
+    let square = x * x;
+    let square_low = L::fma(x, x, -square);
+    let value = x * square;
+    let low = L::fma(x, square, -value) + L::fma(x, square_low, 0.0);
+    value + if low.abs() < f64::INFINITY { low } else { 0.0 }
+}
+
+/// x⁴, as [`cube`].
+#[inline(always)]
+fn fourth_power<L: Level>(x: f64) -> f64 {
+    let square = x * x;
+    let square_low = L::fma(x, x, -square);
+    let value = square * square;
+    let low = L::fma(square, square, -value) + L::fma(square, square_low, square_low * square);
+    value + if low.abs() < f64::INFINITY { low } else { 0.0 }
 }
 
 #[inline(always)]

@@ -69,6 +69,16 @@ runner!(min: min(a, b));
 runner!(max: max(a, b));
 runner!(pow: pow(a, b));
 runner!(atan2: atan2(a, b));
+for_each_level! {
+    fn choose[L, T: Number](repeat: u32, left: &T, right: &T, out: &mut T) {
+        for _ in 0..repeat {
+            T::choose::<L>(black_box(left), left, black_box(right), &mut *out);
+            black_box(&mut *out);
+        }
+    }
+}
+
+runner!(power_4: power(a), 4);
 runner!(power_2: power(a), 2);
 runner!(power_3: power(a), 3);
 runner!(power_7: power(a), 7);
@@ -117,7 +127,7 @@ macro_rules! trial {
     };
 }
 
-/// Every operation but choose and the pair of sine and cosine.
+/// Every operation but the pair of sine and cosine; the condition of choose is its first branch.
 pub(super) fn trials() -> Vec<Trial> {
     vec![
         trial!(neg, a, b, a.negated(), -a),
@@ -153,6 +163,8 @@ pub(super) fn trials() -> Vec<Trial> {
         trial!(atan2, a, b, a.atan2(b), angle(a, b)),
         trial!(power_2, a, b, a.power(2), core_math::pow(a, 2.0)),
         trial!(power_3, a, b, a.power(3), core_math::pow(a, 3.0)),
+        trial!(power_4, a, b, a.power(4), core_math::pow(a, 4.0)),
+        trial!(choose, a, b, Enclosure::choose(a, a, b), func::choose(a, a, b)),
         trial!(power_7, a, b, a.power(7), core_math::pow(a, 7.0)),
         trial!(power_minus_1, a, b, a.power(-1), reciprocal(a, -1.0)),
         trial!(power_minus_2, a, b, a.power(-2), reciprocal(a, -2.0)),

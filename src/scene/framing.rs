@@ -31,14 +31,19 @@ const ENDLESS_RADIUS: f64 = 6.0;
 const MARGIN: f64 = 1.05;
 
 /// Boxes asked about in one search for an extreme; more would not be seen in the picture.
-const EXTREME_CELLS: u32 = 3000;
+const EXTREME_CELLS: u32 = 12_000;
 
 /// An extreme is found to this share of the searched box.
-const EXTREME_SHARE: f64 = 1.0 / 512.0;
+const EXTREME_SHARE: f64 = 1.0 / 256.0;
 
-/// Boxes that are followed down to the smallest when a search for an extreme has no work left, and how many of them
-/// have to hold something down there.
-const DIVES: (usize, usize) = (1000, 16);
+/// Boxes of the largest keys that are followed down to something when a search for an extreme has no work left.
+const DIVES: usize = 16;
+
+/// Boxes asked about while they are followed.
+const DIVE_CELLS: u32 = 20_000;
+
+/// Rounds of measuring what is bounded, and the shrinking that makes another one worth while.
+const ROUNDS: (u32, f64) = (40, 0.97);
 
 /// The width to which the point nearest to the origin is found, and the grid it is put on.
 const NEAREST_WIDTH: f64 = 1.0 / 128.0;
@@ -203,9 +208,9 @@ impl Search<'_> {
     fn around_all(&self, inside: Cube) -> Option<Framing> {
         let mut bounds = inside;
         // Each round measures to a share of the last box, so that the smallest thing is found to its own scale.
-        for _ in 0..64 {
+        for _ in 0..ROUNDS.0 {
             let tighter = self.bounding_box(bounds)?;
-            let is_done = tighter.width() > 0.5 * bounds.width();
+            let is_done = tighter.width() > ROUNDS.1 * bounds.width();
             bounds = tighter;
             if is_done {
                 break;
@@ -299,9 +304,7 @@ fn extreme(classify: Classify, within: Cube, width: f64, cells: u32, key: &dyn F
     while let Some(Ranked { key: found, cube }) = queue.pop() {
         if cells_left == 0 {
             queue.push(Ranked { key: found, cube });
-            let tops = std::iter::from_fn(|| queue.pop()).take(DIVES.0);
-            let keys = tops.filter_map(|top| dive(classify, top.cube, width, key));
-            return keys.take(DIVES.1).reduce(f64::max).or(Some(found));
+            return dives(classify, queue, width, key).or(Some(found));
         }
         cells_left -= 1;
         if classify(cube.min, cube.max) == Cell::Possible {
@@ -314,8 +317,25 @@ fn extreme(classify: Classify, within: Cube, width: f64, cells: u32, key: &dyn F
     None
 }
 
+/// The largest key that is found by following the boxes of the largest keys down.
+fn dives(classify: Classify, mut queue: BinaryHeap<Ranked>, width: f64, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
+    let mut cells_left = DIVE_CELLS;
+    let mut keys = Vec::new();
+    while let Some(top) = queue.pop()
+        && keys.len() < DIVES
+        && cells_left > 0
+    {
+        keys.extend(dive(classify, top.cube, width, key, &mut cells_left));
+    }
+    keys.into_iter().reduce(f64::max)
+}
+
 /// The key of a smallest box in the cube that may hold a surface, largest keys first.
-fn dive(classify: Classify, cube: Cube, width: f64, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
+fn dive(classify: Classify, cube: Cube, width: f64, key: &dyn Fn(&Cube) -> f64, cells_left: &mut u32) -> Option<f64> {
+    if *cells_left == 0 {
+        return None;
+    }
+    *cells_left -= 1;
     if classify(cube.min, cube.max) != Cell::Possible {
         return None;
     }
@@ -324,7 +344,7 @@ fn dive(classify: Classify, cube: Cube, width: f64, key: &dyn Fn(&Cube) -> f64) 
     }
     let mut children = cube.children();
     children.sort_by(|a, b| key(b).total_cmp(&key(a)));
-    children.into_iter().find_map(|child| dive(classify, child, width, key))
+    children.into_iter().find_map(|child| dive(classify, child, width, key, cells_left))
 }
 
 /// A box with its place in a queue: the largest key first, of equal keys the smallest box, then by place.

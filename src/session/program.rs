@@ -5,6 +5,7 @@
 use super::include::{Loader, Texts};
 use crate::diag::{Diagnostic, Severity, Sources};
 use crate::expr::lower::{Lowered, Setting, Settings, lower};
+use crate::syntax::ast::StatementKind;
 use crate::syntax::parse;
 
 /// One text as it came in.
@@ -40,12 +41,14 @@ impl Program {
     /// ```
     pub fn read(texts: Vec<Text>, set: Vec<Setting>, loader: &dyn Loader) -> Program {
         let mut texts = Texts::new(texts, loader);
-        let parsed = loop {
+        let mut parsed = loop {
             let parsed = parse(&texts.sources.texts());
             if !texts.follow(&parsed.program) {
                 break parsed;
             }
         };
+        // What is included stands beside these statements by now, or an error says why not.
+        parsed.program.statements.retain(|statement| !matches!(statement.kind, StatementKind::Include { .. }));
         let mut diagnostics = parsed.diagnostics;
         diagnostics.append(&mut texts.diagnostics);
         let incomplete = diagnostics.iter().any(|d| d.severity == Severity::Error);

@@ -67,7 +67,8 @@ const ROWS: &[(&str, i32, &str)] = &[
     ("eval|-x|--at|1,2,3", 2, "implicit eval --at 1,2,3 -- -x"),
     ("--help", 0, ""),
     ("--version", 0, ""),
-    ("", 1, ""),
+    ("", 2, "nowhere to draw"),
+    ("|-o|a.png", 1, ""),
 ];
 
 #[test]
