@@ -25,7 +25,10 @@ fn main() {
     let wanted = |name: &str| words.iter().all(|word| word.parse::<u32>().is_ok()) || words.iter().any(|w| w == name);
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/scenes.toml");
     let table: toml::Table = std::fs::read_to_string(path).unwrap().parse().unwrap();
-    println!("{size} x {size}, one thread\n{:14} {:>9} {:>9} {:>9} {:>9}", "", "ns/pixel", "cells/px", "f,g/hit", "proven");
+    println!(
+        "{size} x {size}, one thread\n{:14} {:>9} {:>9} {:>9} {:>9}",
+        "", "ns/pixel", "cells/px", "f,g/hit", "proven"
+    );
     for scene in table["scene"].as_array().unwrap() {
         if wanted(scene["name"].as_str().unwrap()) {
             measure(scene, size);

@@ -195,10 +195,11 @@ impl Search<'_> {
                 return None;
             }
             let inside = Cube::around_origin(half / f64::from(1 << EMPTY_SHELLS));
-            if empty_shells >= EMPTY_SHELLS && self.survives(inside, INSIDE_DEPTH) {
-                if let Some(framing) = self.around_all(inside) {
-                    return Some(framing);
-                }
+            if empty_shells >= EMPTY_SHELLS
+                && self.survives(inside, INSIDE_DEPTH)
+                && let Some(framing) = self.around_all(inside)
+            {
+                return Some(framing);
             }
         }
         None
