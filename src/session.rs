@@ -4,7 +4,7 @@
 //! is to say about it ([`Program`]), then what is to be drawn ([`Plan`]), then the drawing. Separate from the command
 //! line, so that a library or a server lives the same life: nothing here prints, reads a file or a clock.
 //!
-//! - [`include`]: programs that include others.
+//! - [`mod@include`]: programs that include others.
 //! - [`program`]: texts to formulas.
 //! - [`plan`]: formulas to surfaces, a camera and settings.
 

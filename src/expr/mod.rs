@@ -12,7 +12,7 @@
 //! - [`polynomial`]: exact polynomials over nodes as letters; square-free parts.
 //! - [`equation`]: f = 0 as the sheets whose roots it has.
 //! - [`lower`]: names, functions, parameters, lists and regions become nodes.
-//! - [`print`]: text that reads back as the same graph, and LaTeX.
+//! - [`mod@print`]: text that reads back as the same graph, and LaTeX.
 
 pub mod derivative;
 pub mod equation;
