@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
 
 mod cli;
+mod closures;
 mod command;
 mod grammar;
 mod long_texts;
