@@ -51,6 +51,9 @@ const NEAREST_WIDTH: f64 = 1.0 / 128.0;
 /// The same as a share of its distance: what is far is not found finer than the picture shows.
 const NEAREST_SHARE: f64 = 1.0 / 256.0;
 
+/// A box this wide, or less, is small beside a ball of [`ENDLESS_RADIUS`].
+const SMALL: f64 = 1.0;
+
 /// The width of the boxes by which points are compared that are about as near as the nearest.
 const TIE_WIDTH: f64 = 1.0 / 8.0;
 
@@ -247,6 +250,7 @@ impl Search<'_> {
             self.cells_left = self.cells_left.saturating_sub(1);
             match (self.classify)(cube.min, cube.max) {
                 Cell::Possible if cube.width() <= width || self.cells_left == 0 => {
+                    let cube = self.dive(cube);
                     let center = self.center_of_nearest(cube.nearest_point());
                     return Ok(Framing { center, radius: ENDLESS_RADIUS, is_all: false });
                 }
@@ -255,6 +259,29 @@ impl Search<'_> {
             }
         }
         Err(Nothing(proven.unwrap_or(Cell::Empty)))
+    }
+
+    /// A box inside `cube` that is small beside the ball and may hold a surface, the nearest ones tried first; the cube
+    /// itself if none is found within the work allowed.
+    fn dive(&mut self, cube: Cube) -> Cube {
+        self.cells_left = MAX_CELLS;
+        let mut stack = vec![cube];
+        while let Some(next) = stack.pop() {
+            if self.cells_left == 0 {
+                break;
+            }
+            self.cells_left -= 1;
+            if (self.classify)(next.min, next.max) != Cell::Possible {
+                continue;
+            }
+            if next.width() <= SMALL {
+                return next;
+            }
+            let mut children = next.children();
+            children.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+            stack.extend(children);
+        }
+        cube
     }
 
     /// The middle of all points about as near as the nearest, if it is close to them; else the nearest itself.

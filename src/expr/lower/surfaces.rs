@@ -109,10 +109,23 @@ impl<'a> Lowerer<'a> {
         let (left, right) = (left?, right?);
         let span = left.span.to(right.span);
         match (self.wanted_number(left), self.wanted_number(right)) {
-            (Ok(a), Ok(b)) if self.graph.constant(b).is_some_and(|value| value.is_zero()) => Ok((a, Kind::Equation)),
-            (Ok(a), Ok(b)) => Ok((self.node(Op::Sub, &[a, b], span), Kind::Equation)),
+            (Ok(a), Ok(b)) => {
+                let is_plain = self.graph.constant(b).is_some_and(|value| value.is_zero());
+                let f = if is_plain { a } else { self.node(Op::Sub, &[a, b], span) };
+                Ok((f, self.kind_of_equation(f, span)))
+            }
             _ => super::values::reported(),
         }
+    }
+
+    /// An equation without x, y and z holds everywhere or nowhere: there is nothing to draw.
+    fn kind_of_equation(&mut self, f: NodeId, span: Span) -> Kind {
+        let Some(value) = self.graph.constant(f) else { return Kind::Equation };
+        let holds = if value.is_zero() { "this holds everywhere" } else { "this holds nowhere" };
+        let error = Diagnostic::error(span, format!("{holds}: there is no surface to draw"));
+        let error = error.help("write an equation of x, y and z, such as `x^2 + y^2 + z^2 = 1`");
+        self.out.nothing_to_draw.push(error);
+        Kind::Number
     }
 
     /// Refuses what cannot be a side of an equation, with the way out that fits there.
