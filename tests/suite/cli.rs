@@ -150,12 +150,12 @@ fn values_and_enclosures_are_printed_as_agreed() {
         (&["x^2+y^2+z^2=1", "--at", "1,1,1", "--json"], "", "{\"value\":2.0,\"gradient\":[2.0,2.0,2.0]}\n"),
         (&["ln(x)=0", "--at", "-1,0,0", "--json"], "", "{\"value\":\"nan\",\"gradient\":[\"nan\",\"nan\",\"nan\"]}\n"),
         (&["5", "--at", "0,0,0"], "", "f = 5  gradient = (0, 0, 0)\n"),
-        (&["R = 2", "w = R*x", "w=1", "--of", "w", "--at", "3,0,0"], "", "f = 6  gradient = (2, 0, 0)\n"),
+        (&["R = 2", "w = R*x", "x=1", "--of", "w", "--at", "3,0,0"], "", "f = 6  gradient = (2, 0, 0)\n"),
         (&["x=y", "--at", "-"], "1,2,3\n\n4 5 6\n", "f = -1  gradient = (1, -1, 0)\nf = -1  gradient = (1, -1, 0)\n"),
         (
-            &["x+y", "--over", "0,1,2,3,-inf,inf", "--json"],
+            &["y=0", "--over", "0,1,2,3,-inf,inf", "--json"],
             "",
-            "{\"lo\":2.0,\"hi\":4.0,\"defined\":\"everywhere\",\"continuous\":true}\n",
+            "{\"lo\":2.0,\"hi\":3.0,\"defined\":\"everywhere\",\"continuous\":true}\n",
         ),
         (
             &["ln(x)", "--over", "-2,-1,0,1,0,1", "--json"],
