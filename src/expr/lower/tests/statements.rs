@@ -30,6 +30,9 @@ fn what_hinders_drawing_does_not_hinder_evaluating() {
     let rows = [
         ("2 + 3", "this is a number"),
         ("x = 1; 7", "this is a number"),
+        ("0 = 0", "this holds everywhere"),
+        ("x = x", "this holds everywhere"),
+        ("1 = 2", "this holds nowhere"),
         ("a = 2", "the program has no surface"),
         ("w = x + 1", "the program has no surface"),
         ("f(u) = u", "the program has no surface"),
