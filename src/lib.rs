@@ -77,14 +77,14 @@
 
 #![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests compare with the functions of std"))]
 
-pub mod cli;
-pub mod closure;
-pub mod diag;
-pub mod expr;
-pub mod film;
 pub mod num;
-pub mod render;
-pub mod scene;
-pub mod session;
-pub mod surface;
+pub mod diag;
 pub mod syntax;
+pub mod expr;
+pub mod closure;
+pub mod surface;
+pub mod scene;
+pub mod film;
+pub mod render;
+pub mod session;
+pub mod cli;
