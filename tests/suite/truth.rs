@@ -19,9 +19,8 @@ const MARCH_STEPS: f64 = 2000.0;
 const MARCH_SHARE: f64 = 0.999;
 
 /// Cases that are not right at every pixel, how many pixels may be wrong, and why; none of them proven. The list only shrinks.
-const SHORTFALLS: [(&str, usize, &str); 3] = [
+const SHORTFALLS: [(&str, usize, &str); 2] = [
     ("offset_expanded", 447, "terms of 1e10 cancel: doubles leave 1e-6 of f, and more depth than that is not in them"),
-    ("atan_of_pole", 67, "a jump whose two sides are values of atan at infinity is drawn as undecided"),
     ("double_exp_letters", 5, "exp(x)^2 is not seen as the square of exp(x), so that a double root stays one"),
 ];
 
