@@ -14,7 +14,7 @@ pub trait Level: Copy + Send + Sync + 'static {
 #[derive(Clone, Copy, Debug)]
 pub struct Portable;
 
-/// AVX2 and FMA. Only functions stamped by `for_each_level!` may use it.
+/// AVX2 and FMA, with or without AVX-512. Only functions stamped by `for_each_level!` may use it.
 #[derive(Clone, Copy, Debug)]
 pub struct Fused;
 
@@ -24,8 +24,10 @@ pub enum Simd {
     /// [`Portable`].
     #[default]
     Portable,
-    /// [`Fused`]; made by [`Simd::best`] alone, which checked the machine.
+    /// [`Fused`] in vectors of four; made by [`Simd::best`] alone, which checked the machine.
     Fused(Checked),
+    /// [`Fused`] in vectors of eight (AVX-512); likewise.
+    Wide(Checked),
 }
 
 /// Proof that the machine was asked.
@@ -54,11 +56,23 @@ impl Level for Fused {
 impl Simd {
     /// The fastest level this machine has.
     pub fn best() -> Self {
+        Self::all().last().copied().unwrap_or_default()
+    }
+
+    /// The levels that this machine has, slowest first.
+    pub fn all() -> Vec<Simd> {
+        let mut levels = vec![Simd::Portable];
         #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
-            return Simd::Fused(Checked(()));
+        {
+            use std::arch::is_x86_feature_detected as has;
+            if has!("avx2") && has!("fma") {
+                levels.push(Simd::Fused(Checked(())));
+                if has!("avx512f") && has!("avx512bw") && has!("avx512dq") && has!("avx512vl") {
+                    levels.push(Simd::Wide(Checked(())));
+                }
+            }
         }
-        Simd::Portable
+        levels
     }
 }
 
@@ -90,14 +104,25 @@ macro_rules! for_each_level {
                 type $level = $crate::num::level::Fused;
                 $body
             }
+            #[cfg(target_arch = "x86_64")]
+            #[target_feature(enable = "avx2,fma,avx512f,avx512bw,avx512dq,avx512vl")]
+            fn wide<$($generic: $bound),*>($($arg: $type),*) $(-> $ret)? {
+                #[allow(dead_code)]
+                type $level = $crate::num::level::Fused;
+                $body
+            }
             match simd {
                 $crate::num::level::Simd::Portable => portable::<$($generic),*>($($arg),*),
                 #[cfg(target_arch = "x86_64")]
                 #[allow(unsafe_code)]
                 // SAFETY: a `Checked` exists only if `Simd::best` found AVX2 and FMA on this machine.
                 $crate::num::level::Simd::Fused(_) => unsafe { fused::<$($generic),*>($($arg),*) },
+                #[cfg(target_arch = "x86_64")]
+                #[allow(unsafe_code)]
+                // SAFETY: as above, and the same for AVX-512.
+                $crate::num::level::Simd::Wide(_) => unsafe { wide::<$($generic),*>($($arg),*) },
                 #[cfg(not(target_arch = "x86_64"))]
-                $crate::num::level::Simd::Fused(_) => portable::<$($generic),*>($($arg),*),
+                $crate::num::level::Simd::Fused(_) | $crate::num::level::Simd::Wide(_) => portable::<$($generic),*>($($arg),*),
             }
         }
     };

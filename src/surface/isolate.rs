@@ -297,7 +297,7 @@ for_each_level! {
 
 for_each_level! {
     /// What each lane does next, from g at the slab's start, and g and g' over the slab.
-    fn decide_by_slope[L](pool: &mut Pool, wide: f64, front: &Cells, g: &Cells, slope: &Cells) {
+    fn decide_by_slope[L](pool: &mut Pool, long: f64, front: &Cells, g: &Cells, slope: &Cells) {
         for i in 0..CELLS {
             let known = (g.flags[i] & (PARTIAL | JUMP)) | (slope.flags[i] & PARTIAL) == 0;
             let (a, b, end, step) = (pool.a[i], pool.b[i], pool.end[i], pool.step[i]);
@@ -316,8 +316,8 @@ for_each_level! {
             pool.a[i] = if monotone { a } else { next_a };
             pool.step[i] = if monotone { step } else { next_step };
             pool.b[i] = if monotone { b } else { (next_a + next_step).min(end) };
-            let long = empty & (next_step > wide);
-            let verdict = if long { Verdict::Other } else { Verdict::Open };
+            let other = empty & (next_step > long);
+            let verdict = if other { Verdict::Other } else { Verdict::Open };
             let verdict = if hard { Verdict::Hard } else { verdict };
             let verdict = if monotone { Verdict::Monotone } else { verdict };
             let verdict = if through { Verdict::Empty } else { verdict };
