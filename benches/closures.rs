@@ -52,7 +52,7 @@ impl Formula {
         let graph = &mut program.lowered.graph;
         let [x, y, z] = gradient(graph, f);
         let slope = along_ray(graph, &[f])[0];
-        let tape = Tape::new(graph, &[f, x, y, z]);
+        let tape = Tape::for_points(graph, &[f, x, y, z]);
         let simd = Simd::best();
         Formula {
             batch: Kernel::new(&tape, simd),

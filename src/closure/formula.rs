@@ -28,7 +28,7 @@ impl Formula {
         let [x, y, z] = gradient(graph, f);
         let tape = Tape::new(graph, &[f]);
         Formula {
-            gradient: Kernel::new(&Tape::new(graph, &[f, x, y, z]), simd),
+            gradient: Kernel::new(&Tape::for_points(graph, &[f, x, y, z]), simd),
             single: Kernel::new(&tape, simd),
             many: Kernel::new(&tape, simd),
         }

@@ -72,45 +72,71 @@ impl<T: Number> Kernel<T> {
 /// Why a step's registers can be borrowed together.
 const DISTINCT: &str = "a step's result is none of its arguments";
 
+/// All registers but one.
+struct Others<'a, T> {
+    below: &'a [T],
+    above: &'a [T],
+}
+
+impl<'a, T> Others<'a, T> {
+    #[inline(always)]
+    fn at(&self, register: usize) -> &'a T {
+        if register < self.below.len() { &self.below[register] } else { &self.above[register - self.below.len() - 1] }
+    }
+}
+
+/// The register that a step writes, and those it may read.
+#[inline(always)]
+fn apart<T>(registers: &mut [T], out: usize) -> (Others<'_, T>, &mut T) {
+    let (below, rest) = registers.split_at_mut(out);
+    let (out, above) = rest.split_first_mut().expect("every register is in the file");
+    (Others { below, above }, out)
+}
+
 // table: one line an operation.
 for_each_level! {
     /// The closures of the steps, compiled for one set of instructions.
     fn closures[L, T: Number](steps: &[Step]) -> Vec<Closure<T>> {
+        macro_rules! step {
+            ($out:expr, |$registers:ident, $to:ident| $body:expr) => {{
+                let out = $out;
+                Box::new(move |registers: &mut [T]| {
+                    let ($registers, $to) = apart(registers, out);
+                    $body;
+                })
+            }};
+        }
         macro_rules! unary {
             ($step:expr, $method:ident $(, $extra:expr)?) => {{
-                let (a, out) = ($step.args[0] as usize, $step.out as usize);
-                Box::new(move |r: &mut [T]| {
-                    let [a, out] = r.get_disjoint_mut([a, out]).expect(DISTINCT);
-                    T::$method::<L>(a, $($extra,)? out);
-                })
+                let a = $step.args[0] as usize;
+                step!($step.out as usize, |r, out| T::$method::<L>(r.at(a), $($extra,)? out))
             }};
         }
         macro_rules! binary {
             ($step:expr, $method:ident) => {{
-                let (a, b, out) = ($step.args[0] as usize, $step.args[1] as usize, $step.out as usize);
-                if a == b {
-                    Box::new(move |r: &mut [T]| {
-                        let [a, out] = r.get_disjoint_mut([a, out]).expect(DISTINCT);
-                        T::$method::<L>(a, a, out);
-                    })
-                } else {
-                    Box::new(move |r: &mut [T]| {
-                        let [a, b, out] = r.get_disjoint_mut([a, b, out]).expect(DISTINCT);
-                        T::$method::<L>(a, b, out);
-                    })
-                }
+                let (a, b) = ($step.args[0] as usize, $step.args[1] as usize);
+                step!($step.out as usize, |r, out| T::$method::<L>(r.at(a), r.at(b), out))
             }};
         }
         let mut list: Vec<Closure<T>> = Vec::with_capacity(steps.len());
         for step in steps {
+            let ([a, b, c, d], out) = (step.args.map(|a| a as usize), step.out as usize);
             let op = match step.action {
                 Action::One(op) => op,
                 Action::SinCos(cosine) => {
-                    let (a, sine, cosine) = (step.args[0] as usize, step.out as usize, cosine as usize);
+                    let cosine = cosine as usize;
                     list.push(Box::new(move |r: &mut [T]| {
-                        let [a, sine, cosine] = r.get_disjoint_mut([a, sine, cosine]).expect(DISTINCT);
+                        let [a, sine, cosine] = r.get_disjoint_mut([a, out, cosine]).expect(DISTINCT);
                         T::sin_cos::<L>(a, sine, cosine);
                     }));
+                    continue;
+                }
+                Action::Pair(pair) => {
+                    list.push(step!(out, |r, out| T::pair::<L>(pair, r.at(a), r.at(b), r.at(c), out)));
+                    continue;
+                }
+                Action::Products { minus } => {
+                    list.push(step!(out, |r, out| T::products::<L>(minus, [a, b, c, d].map(|k| r.at(k)), out)));
                     continue;
                 }
             };
@@ -149,21 +175,7 @@ for_each_level! {
                 Op::Max => binary!(step, max),
                 Op::Pow => binary!(step, pow),
                 Op::Atan2 => binary!(step, atan2),
-                Op::Choose => {
-                    let ([c, a, b], out) = (step.args.map(|a| a as usize), step.out as usize);
-                    if c == a || a == b || b == c {
-                        Box::new(move |r: &mut [T]| {
-                            let mut result = r[out].clone();
-                            T::choose::<L>(&r[c], &r[a], &r[b], &mut result);
-                            r[out] = result;
-                        })
-                    } else {
-                        Box::new(move |r: &mut [T]| {
-                            let [c, a, b, out] = r.get_disjoint_mut([c, a, b, out]).expect(DISTINCT);
-                            T::choose::<L>(c, a, b, out);
-                        })
-                    }
-                }
+                Op::Choose => step!(out, |r, out| T::choose::<L>(r.at(a), r.at(b), r.at(c), out)),
             });
         }
         list

@@ -4,6 +4,7 @@
 //! intervals. One builder serves every number type; sharing in the graph is sharing in the result.
 //!
 //! - [`tape`]: the nodes of some formulas as a list of steps over registers.
+//! - `fuse`: which of them are computed in one step.
 //! - [`kernel`]: the tape as a list of closures over one [`crate::num::number::Number`] type; what runs in the tracer.
 //! - [`constant`]: subexpressions without variables, computed once.
 //! - [`tree`]: the formula as a tree of closures of one point, as a first course writes it: the reference.
@@ -12,6 +13,7 @@
 
 mod constant;
 pub mod formula;
+mod fuse;
 pub mod kernel;
 pub mod pieces;
 pub mod tape;

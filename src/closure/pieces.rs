@@ -27,7 +27,7 @@ pub struct Pieces {
 struct Fork {
     step: usize,
     op: Op,
-    args: [Register; 3],
+    args: [Register; 4],
     out: Register,
 }
 
@@ -41,7 +41,7 @@ impl Pieces {
     pub fn new(tape: Tape, simd: Simd) -> Self {
         let forks = tape.steps.iter().enumerate().filter_map(|(step, s)| match s.action {
             Action::One(op) if jumps(op) => Some(Fork { step, op, args: s.args, out: s.out }),
-            Action::One(_) | Action::SinCos(_) => None,
+            Action::One(_) | Action::SinCos(_) | Action::Pair(_) | Action::Products { .. } => None,
         });
         Pieces { forks: forks.collect(), kernel: Kernel::new(&tape, simd) }
     }
@@ -105,8 +105,8 @@ impl Pieces {
 }
 
 /// The ranges of an operation on each side of its jumps and poles.
-fn sides_of(op: Op, arguments: [Enclosure; 3]) -> Sides {
-    let [a, b, _] = arguments.map(|e| e.range);
+fn sides_of(op: Op, arguments: [Enclosure; 4]) -> Sides {
+    let [a, b, ..] = arguments.map(|e| e.range);
     match op {
         Op::Sign => a.sign_pieces(),
         Op::Floor => a.floor_pieces(),

@@ -23,7 +23,7 @@ pub const NOWHERE: u8 = 4;
 
 /// N enclosures.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(32))]
+#[repr(align(64))]
 pub struct IntervalLanes<const N: usize> {
     /// Lower bounds.
     pub lo: [f64; N],

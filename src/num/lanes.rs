@@ -6,11 +6,11 @@
 use super::func::trigonometric::{self, REDUCIBLE};
 use super::func::{self, power};
 use super::level::Level;
-use super::number::{Constant, Number};
+use super::number::{Basic, Constant, Number, Pair};
 
 /// N numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(32))]
+#[repr(align(64))]
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {
@@ -147,8 +147,8 @@ impl<const N: usize> Number for Lanes<N> {
     #[inline(always)]
     fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
         match n {
-            3 => each_lane(a, out, cube::<L>),
-            4 => each_lane(a, out, fourth_power::<L>),
+            3 => each_lane(a, out, |a| a * a * a),
+            4 => each_lane(a, out, |a| (a * a) * (a * a)),
             _ => {
                 out.0 = a.0;
                 power_all::<L, N>(&mut out.0, n);
@@ -164,10 +164,50 @@ impl<const N: usize> Number for Lanes<N> {
     }
 
     #[inline(always)]
+    fn pair<L: Level>(pair: Pair, a: &Self, b: &Self, c: &Self, out: &mut Self) {
+        match pair.first {
+            Basic::Add => second(pair, |i| a.0[i] + b.0[i], c, out),
+            Basic::Sub => second(pair, |i| a.0[i] - b.0[i], c, out),
+            Basic::Mul => second(pair, |i| a.0[i] * b.0[i], c, out),
+        }
+    }
+
+    #[inline(always)]
+    fn products<L: Level>(minus: bool, [a, b, c, d]: [&Self; 4], out: &mut Self) {
+        if minus {
+            for i in 0..N {
+                out.0[i] = a.0[i] * b.0[i] - c.0[i] * d.0[i];
+            }
+        } else {
+            for i in 0..N {
+                out.0[i] = a.0[i] * b.0[i] + c.0[i] * d.0[i];
+            }
+        }
+    }
+
+    #[inline(always)]
     fn choose<L: Level>(c: &Self, a: &Self, b: &Self, out: &mut Self) {
         for i in 0..N {
             out.0[i] = func::choose(c.0[i], a.0[i], b.0[i]);
         }
+    }
+}
+
+/// The second operation of a pair, a loop each.
+#[inline(always)]
+fn second<const N: usize>(pair: Pair, first: impl Fn(usize) -> f64, c: &Lanes<N>, out: &mut Lanes<N>) {
+    macro_rules! each {
+        ($i:ident => $value:expr) => {
+            for $i in 0..N {
+                out.0[$i] = $value;
+            }
+        };
+    }
+    match (pair.second, pair.reversed) {
+        (Basic::Add, _) => each!(i => first(i) + c.0[i]),
+        (Basic::Mul, _) => each!(i => first(i) * c.0[i]),
+        (Basic::Sub, false) => each!(i => first(i) - c.0[i]),
+        (Basic::Sub, true) => each!(i => c.0[i] - first(i)),
     }
 }
 
@@ -176,27 +216,6 @@ fn each_lane<const N: usize>(a: &Lanes<N>, out: &mut Lanes<N>, f: impl Fn(f64) -
     for i in 0..N {
         out.0[i] = f(a.0[i]);
     }
-}
-
-/// x³: [`func::power`] without the steps that do nothing to so small an exponent; only the sign of a result that
-/// vanished may differ.
-#[inline(always)]
-fn cube<L: Level>(x: f64) -> f64 {
-    let square = x * x;
-    let square_low = L::fma(x, x, -square);
-    let value = x * square;
-    let low = L::fma(x, square, -value) + L::fma(x, square_low, 0.0);
-    value + if low.abs() < f64::INFINITY { low } else { 0.0 }
-}
-
-/// x⁴, as [`cube`].
-#[inline(always)]
-fn fourth_power<L: Level>(x: f64) -> f64 {
-    let square = x * x;
-    let square_low = L::fma(x, x, -square);
-    let value = square * square;
-    let low = L::fma(square, square, -value) + L::fma(square, square_low, square_low * square);
-    value + if low.abs() < f64::INFINITY { low } else { 0.0 }
 }
 
 #[inline(always)]

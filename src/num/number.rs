@@ -15,6 +15,28 @@ pub struct Constant {
     pub range: Interval,
 }
 
+/// One of the three operations that [`Pair`] joins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basic {
+    /// a + b
+    Add,
+    /// a − b
+    Sub,
+    /// a · b
+    Mul,
+}
+
+/// Two operations in one pass, each rounded as if it stood alone: what is saved is writing and reading the batch between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// Of a and b.
+    pub first: Basic,
+    /// Of that and c.
+    pub second: Basic,
+    /// Whether c is the left operand of the second.
+    pub reversed: bool,
+}
+
 /// A batch of numbers of one kind.
 ///
 /// Every method computes its operation for all lanes; without value (NaN) in, without value out. The
@@ -90,6 +112,31 @@ pub trait Number: Clone + Send + Sync + 'static {
     fn pow<L: Level>(a: &Self, b: &Self, out: &mut Self);
     /// angle of (x = b, y = a)
     fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// Two operations, the second on the result of the first and c.
+    #[inline(always)]
+    fn pair<L: Level>(pair: Pair, a: &Self, b: &Self, c: &Self, out: &mut Self) {
+        let mut first = a.clone();
+        basic::<Self, L>(pair.first, a, b, &mut first);
+        let (left, right) = if pair.reversed { (c, &first) } else { (&first, c) };
+        basic::<Self, L>(pair.second, left, right, out);
+    }
+    /// a·b + c·d, or a·b − c·d
+    #[inline(always)]
+    fn products<L: Level>(minus: bool, [a, b, c, d]: [&Self; 4], out: &mut Self) {
+        let (mut left, mut right) = (a.clone(), c.clone());
+        Self::mul::<L>(a, b, &mut left);
+        Self::mul::<L>(c, d, &mut right);
+        basic::<Self, L>(if minus { Basic::Sub } else { Basic::Add }, &left, &right, out);
+    }
     /// a where c ≤ 0, else b
     fn choose<L: Level>(c: &Self, a: &Self, b: &Self, out: &mut Self);
+}
+
+#[inline(always)]
+fn basic<T: Number, L: Level>(operation: Basic, a: &T, b: &T, out: &mut T) {
+    match operation {
+        Basic::Add => T::add::<L>(a, b, out),
+        Basic::Sub => T::sub::<L>(a, b, out),
+        Basic::Mul => T::mul::<L>(a, b, out),
+    }
 }

@@ -135,9 +135,13 @@ fn lanes_know_what_the_scalar_knows() {
                 a.set(i, any(&mut random));
                 b.set(i, any(&mut random));
             }
-            let (mut out, mut portable) = (IntervalLanes::default(), IntervalLanes::default());
-            (trial.cells)(Simd::best(), 1, &a, &b, &mut out);
-            (trial.cells)(Simd::Portable, 1, &a, &b, &mut portable);
+            let outs = Simd::all().into_iter().map(|simd| {
+                let mut out = IntervalLanes::default();
+                (trial.cells)(simd, 1, &a, &b, &mut out);
+                out
+            });
+            let outs: Vec<IntervalLanes<16>> = outs.collect();
+            let out = &outs[0];
             for i in 0..16 {
                 let (one, lane) = ((trial.enclosure)(a.get(i), b.get(i)), out.get(i));
                 let context = (trial.name, a.get(i), b.get(i), one, lane);
@@ -145,9 +149,10 @@ fn lanes_know_what_the_scalar_knows() {
                 assert_eq!(lane.range.is_empty(), lane.defined == Defined::Nowhere, "{context:?}");
                 assert_eq!(out.lo[i].is_nan(), lane.range.is_empty(), "{context:?}");
                 let same = |x: f64, y: f64| x.to_bits() == y.to_bits() || (x.is_nan() && y.is_nan());
-                assert!(same(out.lo[i], portable.lo[i]) && same(out.hi[i], portable.hi[i]), "{context:?}");
+                let all_same = |o: &IntervalLanes<16>| same(o.lo[i], out.lo[i]) && same(o.hi[i], out.hi[i]);
+                assert!(outs.iter().all(all_same), "{context:?}");
             }
-            assert_eq!(out.flags, portable.flags);
+            assert!(outs.iter().all(|o| o.flags == out.flags));
         }
     }
 }
@@ -159,12 +164,15 @@ fn levels_give_the_same_bits() {
         for _ in 0..CASES / 64 {
             let (a, b) =
                 (Lanes(std::array::from_fn(|_| random.number())), Lanes(std::array::from_fn(|_| random.number())));
-            let (mut fast, mut slow) = (Lanes::splat(0.0), Lanes::splat(0.0));
-            (trial.points)(Simd::best(), 1, &a, &b, &mut fast);
+            let mut slow = Lanes::splat(0.0);
             (trial.points)(Simd::Portable, 1, &a, &b, &mut slow);
-            for i in 0..64 {
-                let same = fast.0[i].to_bits() == slow.0[i].to_bits() || (fast.0[i].is_nan() && slow.0[i].is_nan());
-                assert!(same, "{} {:e} {:e}: {:e} {:e}", trial.name, a.0[i], b.0[i], fast.0[i], slow.0[i]);
+            for simd in Simd::all() {
+                let mut fast = Lanes::splat(0.0);
+                (trial.points)(simd, 1, &a, &b, &mut fast);
+                for i in 0..64 {
+                    let same = fast.0[i].to_bits() == slow.0[i].to_bits() || (fast.0[i].is_nan() && slow.0[i].is_nan());
+                    assert!(same, "{} {:e} {:e}: {:e} {:e}", trial.name, a.0[i], b.0[i], fast.0[i], slow.0[i]);
+                }
             }
         }
     }

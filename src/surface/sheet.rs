@@ -115,8 +115,8 @@ impl Surface {
 fn written(graph: &mut Graph, f: NodeId, simd: Simd) -> Written {
     let [x, y, z] = gradient(graph, f);
     Written {
-        point: Kernel::new(&Tape::new(graph, &[f]), simd),
-        gradient: Kernel::new(&Tape::new(graph, &[f, x, y, z]), simd),
+        point: Kernel::new(&Tape::for_points(graph, &[f]), simd),
+        gradient: Kernel::new(&Tape::for_points(graph, &[f, x, y, z]), simd),
     }
 }
 
@@ -131,8 +131,8 @@ fn sheet(graph: &mut Graph, part: &equation::Sheet, fields: &[NodeId], simd: Sim
     Sheet {
         value: Kernel::new(&Tape::new(graph, &[g]), simd),
         slope: Kernel::new(&Tape::new(graph, &[g, slope]), simd),
-        point: Kernel::new(&Tape::new(graph, &[g]), simd),
-        gradient: Kernel::new(&Tape::new(graph, &[g, gx, gy, gz]), simd),
+        point: Kernel::new(&Tape::for_points(graph, &[g]), simd),
+        gradient: Kernel::new(&Tape::for_points(graph, &[g, gx, gy, gz]), simd),
         scalar: Pieces::new(Tape::new(graph, &scalar), simd),
         sides: Pieces::new(Tape::new(graph, &[g]), simd),
         shared_roots: part.nonzero.iter().map(|&d| equation::vanishes_with(graph, g, d)).collect(),

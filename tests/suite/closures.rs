@@ -4,6 +4,7 @@ use glam::DVec3;
 use implicit::closure::tree::tree;
 use implicit::closure::{Formula, Kernel, Tape};
 use implicit::diag::Sources;
+use implicit::expr::derivative;
 use implicit::expr::graph::{Graph, NodeId};
 use implicit::expr::lower::{self, lower};
 use implicit::num::interval::{Defined, Interval};
@@ -35,18 +36,24 @@ fn every_family_gives_the_same_value_and_enclosures_contain_it() {
     assert!(corpus.len() >= 500, "{}", corpus.len());
     for (formula, p) in corpus {
         let (mut graph, f) = graph_of(&formula);
-        let [portable, best] = [Simd::Portable, Simd::best()].map(|simd| Formula::new(&mut graph, f, simd));
-        let (value, gradient) = best.gradient(p);
-        assert_eq!(same(portable.gradient(p)), same((value, gradient)), "{formula} at {p}: levels differ");
+        let levels: Vec<Formula> = Simd::all().into_iter().map(|simd| Formula::new(&mut graph, f, simd)).collect();
+        let (value, gradient) = levels[0].gradient(p);
+        for level in &levels {
+            assert_eq!(same(level.gradient(p)), same((value, gradient)), "{formula} at {p}: levels differ");
+        }
         if let Some(tree) = tree(&graph, f, Simd::best()) {
             let of_tree = tree(&[p.x, p.y, p.z, 0.0, 0.0, 0.0]);
             assert!(close(of_tree, value), "{formula} at {p}: tree {of_tree}, list {value}");
         }
-        assert_eq!(batch_of_64(&graph, f, p).to_bits(), value.to_bits(), "{formula} at {p}: batch");
+        let [x, y, z] = derivative::gradient(&mut graph, f);
+        for tape in [Tape::new, Tape::for_points] {
+            let batch = batch_of_64(&tape(&graph, &[f, x, y, z]), p);
+            assert_eq!(batch, same((value, gradient)), "{formula} at {p}: batch");
+        }
         for half in [0.0, 1e-9, 1e-3, 0.3] {
             let around = p.to_array().map(|c| Interval::new(c - half, c + half));
-            let all = best.enclosure(around);
-            assert_eq!(all, portable.enclosure(around), "{formula} around {p}");
+            let all = levels[0].enclosure(around);
+            assert!(levels.iter().all(|level| level.enclosure(around) == all), "{formula} around {p}");
             assert!(all.range.contains(value), "{formula} within {half} of {p}: {value} outside {all:?}");
             assert_ne!(all.defined, Defined::Nowhere);
         }
@@ -62,14 +69,15 @@ fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-13 * (1.0 + a.abs())
 }
 
-fn batch_of_64(graph: &Graph, f: NodeId, p: DVec3) -> f64 {
-    let kernel: Kernel<Lanes<64>> = Kernel::new(&Tape::new(graph, &[f]), Simd::best());
+/// The last lane of f and its gradient, computed in a batch.
+fn batch_of_64(tape: &Tape, p: DVec3) -> [u64; 4] {
+    let kernel: Kernel<Lanes<64>> = Kernel::new(tape, Simd::best());
     let mut registers = kernel.registers();
     for axis in 0..3 {
         registers[axis] = Lanes::splat(p[axis]);
     }
     kernel.run(&mut registers);
-    kernel.output(&registers, 0).0[63]
+    std::array::from_fn(|k| kernel.output(&registers, k).0[63].to_bits())
 }
 
 #[test]

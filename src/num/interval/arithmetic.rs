@@ -135,7 +135,8 @@ pub(super) fn power_down(a: f64, n: i64) -> f64 {
     }
     let p = native::power(a, n);
     let positive = a > 0.0 || n % 2 == 0;
-    if positive { below(p, power_bound(n)).max(0.0) } else { -above_vanishing(-p, power_bound(n)) }
+    let bound = if positive { below(p, power_bound(n)).max(0.0) } else { -above_vanishing(-p, power_bound(n)) };
+    bound.min(point_power(a, n, p))
 }
 
 /// a^n, rounded up; a may be infinite.
@@ -145,7 +146,18 @@ pub(super) fn power_up(a: f64, n: i64) -> f64 {
     }
     let p = native::power(a, n);
     let positive = a > 0.0 || n % 2 == 0;
-    if positive { above_vanishing(p, power_bound(n)) } else { above(p, power_bound(n)).min(0.0) }
+    let bound = if positive { above_vanishing(p, power_bound(n)) } else { above(p, power_bound(n)).min(0.0) };
+    bound.max(point_power(a, n, p))
+}
+
+/// a^n as points compute it, `value` being the nearest: their third and fourth powers are plain products, which rise
+/// with a, so that the ends of a box bound what is computed inside.
+fn point_power(a: f64, n: i64, value: f64) -> f64 {
+    match n {
+        3 => a * a * a,
+        4 => (a * a) * (a * a),
+        _ => value,
+    }
 }
 
 /// a^n for a = 0 (n > 0), a = ±∞, or n = 1.

@@ -304,8 +304,14 @@ pub(super) fn power<L: Level, const N: usize>(a: &IntervalLanes<N>, n: i64, out:
     let bases = (least, most);
     raise::<L, N>(&mut least, n, plain);
     raise::<L, N>(&mut most, n, plain);
-    // Each of up to n roundings is half an ulp; the points computed are another way wrong.
-    let ulps = if plain { n.unsigned_abs() as f64 * 0.5 + bound::POWER + 0.1 } else { 2.0 * bound::POWER };
+    // Each of up to n roundings is half an ulp. Points raise to n > 0 by the same products, which rise with their
+    // factors, and need no more; for n < 0 they are another way wrong.
+    let roundings = 0.5 * n.unsigned_abs() as f64 + 0.1;
+    let ulps = match (plain, n > 0) {
+        (true, true) => roundings,
+        (true, false) => roundings + bound::POWER,
+        (false, _) => 2.0 * bound::POWER,
+    };
     let part = ulps * f64::EPSILON;
     let mut odd = [0; N];
     for i in 0..N {
