@@ -173,6 +173,7 @@ for_each_level! {
                 Op::Div => binary!(step, div),
                 Op::Min => binary!(step, min),
                 Op::Max => binary!(step, max),
+                Op::Pow if a == b => unary!(step, self_power),
                 Op::Pow => binary!(step, pow),
                 Op::Atan2 => binary!(step, atan2),
                 Op::Choose => step!(out, |r, out| T::choose::<L>(r.at(a), r.at(b), r.at(c), out)),

@@ -204,6 +204,8 @@ compose_unary! {
     sqrt,
     /// e^a
     exp,
+    /// a^a
+    self_power,
     /// natural logarithm
     ln,
     /// logarithm to base 2

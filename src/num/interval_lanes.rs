@@ -139,6 +139,13 @@ impl<const N: usize> Number for IntervalLanes<N> {
     }
 
     #[inline(always)]
+    fn self_power<L: Level>(a: &Self, out: &mut Self) {
+        for i in 0..N {
+            out.set(i, a.get(i).self_power());
+        }
+    }
+
+    #[inline(always)]
     fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self) {
         for i in 0..N {
             out.set(i, a.get(i).atan2(b.get(i)));

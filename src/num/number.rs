@@ -110,6 +110,11 @@ pub trait Number: Clone + Send + Sync + 'static {
     fn max<L: Level>(a: &Self, b: &Self, out: &mut Self);
     /// a^b, a > 0 or (a = 0 and b > 0)
     fn pow<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// a^a, which is known more closely than a^b where both happen to be the same
+    #[inline(always)]
+    fn self_power<L: Level>(a: &Self, out: &mut Self) {
+        Self::pow::<L>(a, a, out);
+    }
     /// angle of (x = b, y = a)
     fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self);
     /// Two operations, the second on the result of the first and c.

@@ -69,6 +69,7 @@ runner!(min: min(a, b));
 runner!(max: max(a, b));
 runner!(pow: pow(a, b));
 runner!(atan2: atan2(a, b));
+runner!(self_power: self_power(a));
 for_each_level! {
     fn choose[L, T: Number](repeat: u32, left: &T, right: &T, out: &mut T) {
         for _ in 0..repeat {
@@ -160,6 +161,7 @@ pub(super) fn trials() -> Vec<Trial> {
         trial!(min, a, b, a.min(b), a.min(b)),
         trial!(max, a, b, a.max(b), a.max(b)),
         trial!(pow, a, b, a.pow(b), power_of(a, b)),
+        trial!(self_power, a, b, a.self_power(), power_of(a, a)),
         trial!(atan2, a, b, a.atan2(b), angle(a, b)),
         trial!(power_2, a, b, a.power(2), core_math::pow(a, 2.0)),
         trial!(power_3, a, b, a.power(3), core_math::pow(a, 3.0)),

@@ -7,8 +7,9 @@
 //! Only for equations. The boundary of a solid is where its function changes sign: nothing may be rewritten.
 //!
 //! - [`fraction`]: sums of quotients over one denominator. - [`removable`]: where numerator and denominator vanish
-//!   together.
+//!   together. - [`centre`]: polynomials about the place where they lie.
 
+mod centre;
 mod fraction;
 mod removable;
 #[cfg(test)]
@@ -149,6 +150,7 @@ impl Search<'_> {
             .or_else(|| self.exponential(sheet))
             .or_else(|| self.fractions_together(sheet))
             .or_else(|| self.repeated_factors(sheet))
+            .or_else(|| self.about_centre(sheet))
     }
 
     fn never_zero(&mut self, sheet: &Sheet) -> Rewritten {
@@ -280,6 +282,16 @@ impl Search<'_> {
             parts.push(part);
         }
         Some(("square-free factors of an expanded polynomial", parts))
+    }
+
+    /// A polynomial that lies far from the origin, written about its own centre.
+    fn about_centre(&mut self, sheet: &Sheet) -> Rewritten {
+        let (g, letters) = centre::about_centre(self.graph, sheet.g)?;
+        let mut part = Sheet { g, ..sheet.clone() };
+        for letter in letters {
+            self.guard(&mut part, letter);
+        }
+        Some(("a polynomial about its centre", vec![part]))
     }
 
     /// Demands that a node has a value: its parts that can fail, unless they are known or implied.

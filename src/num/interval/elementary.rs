@@ -168,6 +168,25 @@ impl Interval {
         if all { Enclosure::total(range) } else { Enclosure::partial(range) }
     }
 
+    /// a^a for a > 0: it falls from its limit 1 to (1/e)^(1/e), and rises from there. The corners of two
+    /// independent boxes would reach from 0 to 1 near a = 0.
+    pub fn self_power(self) -> Enclosure {
+        /// f64 around 1/e = 0.36787944117144232….
+        const LOWEST_AT: (f64, f64) = (0.3678794411714423, 0.3678794411714424);
+        /// Below (1/e)^(1/e) = 0.69220062755534635….
+        const LOWEST: f64 = 0.6922006275553462;
+        if self.hi <= 0.0 {
+            return Enclosure::NOWHERE;
+        }
+        let ends =
+            [self.lo.max(0.0), self.hi].map(|a| if a == 0.0 { Interval::point(1.0) } else { power_at_corner(a, a) });
+        let mut range = ends[0].hull(ends[1]);
+        if self.lo <= LOWEST_AT.1 && self.hi >= LOWEST_AT.0 {
+            range.lo = LOWEST;
+        }
+        if self.lo > 0.0 { Enclosure::total(range) } else { Enclosure::partial(range) }
+    }
+
     /// angle of the point (x = b, y = a)
     pub fn atan2(self, x: Self) -> Enclosure {
         let origin = self.contains(0.0) && x.contains(0.0);
