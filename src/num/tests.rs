@@ -16,19 +16,19 @@ use super::trial::{Trial, trials};
 const CASES: usize = 10_000;
 
 /// A linear congruential generator (Knuth, TAOCP 2, section 3.3.4), its high bits mixed into the low.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
+    pub(super) fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         self.0 ^ (self.0 >> 29)
     }
 
-    fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn number(&mut self) -> f64 {
+    pub(super) fn number(&mut self) -> f64 {
         const SPECIAL: [f64; 12] =
             [0.0, 1.0, -1.0, 0.5, 2.0, 1e-310, 5e-324, f64::MAX, 1e9, std::f64::consts::FRAC_PI_2, 3.0, -0.0];
         let signed = |x: f64, negative: bool| if negative { -x } else { x };

@@ -3,6 +3,7 @@
 //! In: nothing. Out: one row an operation: on arrays of points, on arrays of intervals, on one enclosure, and the
 //! correctly rounded value. Separate because several tests walk the same table; compiled for tests alone.
 
+use super::affine_lanes::AffineLanes;
 use super::func;
 use super::interval::Enclosure;
 use super::interval_lanes::IntervalLanes;
@@ -19,6 +20,7 @@ pub(super) struct Trial {
     pub(super) name: &'static str,
     pub(super) points: Runner<Lanes<64>>,
     pub(super) cells: Runner<IntervalLanes<16>>,
+    pub(super) forms: Runner<AffineLanes<16>>,
     pub(super) enclosure: fn(Enclosure, Enclosure) -> Enclosure,
     pub(super) exact: fn(f64, f64) -> f64,
 }
@@ -116,6 +118,7 @@ macro_rules! trial {
             name: stringify!($name),
             points: $name,
             cells: $name,
+            forms: $name,
             enclosure: |$a, $b| {
                 let _ = $b;
                 $enclosure

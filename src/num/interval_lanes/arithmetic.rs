@@ -9,6 +9,7 @@ use crate::num::func;
 use crate::num::func::bound;
 use crate::num::interval::Enclosure;
 use crate::num::level::Level;
+use crate::num::mask::{Mask, any, join, mark, word};
 
 /// 2^-53·(1 + 2^-52): r ± this part of |r|, rounded to nearest, is the next f64 or the one after.
 const STEP: f64 = f64::EPSILON * 0.5 * (1.0 + f64::EPSILON);
@@ -18,28 +19,6 @@ const SMALLEST: f64 = 5e-324;
 
 /// Whole powers up to this one are plain products: their roundings cost less width than the exact way time.
 const PLAIN_POWERS: u64 = 4;
-
-/// Which lanes need another way: all bits of their word.
-pub(super) type Mask<const N: usize> = [u64; N];
-
-#[inline(always)]
-pub(super) fn word(condition: bool) -> u64 {
-    u64::from(condition).wrapping_neg()
-}
-
-/// Whether any lane is marked. Four words at a time, which the compiler does not see by itself.
-#[inline(always)]
-pub(super) fn any<const N: usize>(mask: &Mask<N>) -> bool {
-    let (fours, rest) = mask.as_chunks::<4>();
-    let mut all = [0; 4];
-    for four in fours {
-        for i in 0..4 {
-            all[i] |= four[i];
-        }
-    }
-    let tail = rest.iter().fold(0, |tail, word| tail | word);
-    (all[0] | all[1]) | (all[2] | all[3]) | tail != 0
-}
 
 #[inline(always)]
 pub(super) fn down<L: Level>(r: f64) -> f64 {
@@ -91,29 +70,6 @@ pub(super) fn repair_pairs<const N: usize>(
     for i in 0..N {
         if marked[i] != 0 {
             out.set(i, f(a.get(i), b.get(i)));
-        }
-    }
-}
-
-/// The flags of both operands. Eight at a time, which the compiler does not see by itself.
-#[inline(always)]
-pub(super) fn join<const N: usize>(a: &[u8; N], b: &[u8; N], out: &mut [u8; N]) {
-    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
-    let (out, out_rest) = out.as_chunks_mut::<8>();
-    for i in 0..out.len() {
-        out[i] = (u64::from_ne_bytes(a[i]) | u64::from_ne_bytes(b[i])).to_ne_bytes();
-    }
-    for i in 0..out_rest.len() {
-        out_rest[i] = a_rest[i] | b_rest[i];
-    }
-}
-
-/// Adds flags to the marked lanes.
-#[inline(always)]
-pub(super) fn mark<const N: usize>(flags: &mut [u8; N], mask: &Mask<N>, bits: u8) {
-    if any(mask) {
-        for i in 0..N {
-            flags[i] |= mask[i] as u8 & bits;
         }
     }
 }

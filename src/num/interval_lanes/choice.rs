@@ -3,16 +3,11 @@
 //! In: arrays of bounds and flags. Out: the same, of the smaller, the larger or the chosen. Separate from
 //! the arithmetic because nothing is rounded here and the flags are what needs care.
 
-use super::arithmetic::{greater, join, lesser, word};
+use super::arithmetic::{greater, lesser};
 use super::{IntervalLanes, JUMP, NOWHERE, PARTIAL};
 use crate::num::func;
 use crate::num::interval::Enclosure;
-
-/// a where the word is all ones, b where it is 0.
-#[inline(always)]
-fn pick(word: u64, a: f64, b: f64) -> f64 {
-    f64::from_bits((a.to_bits() & word) | (b.to_bits() & !word))
-}
+use crate::num::mask::{join, pick, word};
 
 #[inline(always)]
 pub(super) fn min<const N: usize>(a: &IntervalLanes<N>, b: &IntervalLanes<N>, out: &mut IntervalLanes<N>) {

@@ -3,13 +3,14 @@
 //! In: arrays of bounds. Out: arrays of bounds, each the function's value pushed outward by its error bound and cut
 //! by its range; lanes out of the ordinary by `interval`. Separate because these loops must stay free of branches.
 
-use super::arithmetic::{Mask, any, down, greater, lesser, mark, repair, repair_pairs, word};
+use super::arithmetic::{down, greater, lesser, repair, repair_pairs};
 use super::{IntervalLanes, JUMP, PARTIAL};
 use crate::num::func::bound::steps;
 use crate::num::func::trigonometric::{self, REDUCIBLE};
 use crate::num::func::{self, bound};
 use crate::num::interval::{Enclosure, TURN_ERROR};
 use crate::num::level::Level;
+use crate::num::mask::{Mask, any, join, mark, word};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 /// A few of the smallest f64: what rounding below the normal range may lose, doubled.
@@ -258,7 +259,7 @@ pub(super) fn pow<L: Level, const N: usize>(a: &IntervalLanes<N>, b: &IntervalLa
         out.hi[i] = above_vanishing::<L>(most, bound::POW);
         odd[i] = word(!((al > 0.0) & (((p + q) + (r + s)) < f64::INFINITY)));
     }
-    super::arithmetic::join(&a.flags, &b.flags, &mut out.flags);
+    join(&a.flags, &b.flags, &mut out.flags);
     if any(&odd) {
         repair_pairs(a, b, out, &odd, Enclosure::pow);
     }

@@ -1,0 +1,218 @@
+//! A fixed-size array of affine forms: the batch that cells of the screen are computed in.
+//!
+//! In: c + s₀·ε₀ + s₁·ε₁ + s₂·ε₂ ± error, every ε in [−1, 1]. Out: the same of the function's value, which lies within
+//! `error` of the linear part for each choice of the ε. Where an interval knows how large a function gets, a form
+//! also knows how it leans, so that differences of what leans alike stay small (Stolfi and de Figueiredo,
+//! Self-Validated Numerical Methods and Applications, 1997, chapter 3). Separate from intervals because it is
+//! worth its price only where a cell is wide in several directions; what it does not know, `interval_lanes` answers.
+
+mod arithmetic;
+mod choice;
+mod elementary;
+
+use super::interval_lanes::{IntervalLanes, JUMP, NOWHERE, PARTIAL};
+use super::level::Level;
+use super::mask::{Mask, any};
+use super::number::{Constant, Number};
+
+/// How many symbols a form has: across, down, along.
+pub const SYMBOLS: usize = 3;
+
+/// N affine forms. A form whose numbers are not finite says nothing; one with [`NOWHERE`] has no value.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub struct AffineLanes<const N: usize> {
+    /// The value where every ε is 0.
+    pub center: [f64; N],
+    /// What each ε adds.
+    pub slope: [[f64; N]; SYMBOLS],
+    /// How far the function can be from the linear part, ≥ 0.
+    pub error: [f64; N],
+    /// As those of [`IntervalLanes`].
+    pub flags: [u8; N],
+}
+
+/// The part of all magnitudes together that covers the roundings of one operation: at most a dozen of 2^-53 each.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// What is added besides, for products too small for their roundings to be a part of them.
+const TINY: f64 = 1e-300;
+
+impl<const N: usize> AffineLanes<N> {
+    /// The same number in every lane.
+    fn splat(center: f64, error: f64) -> Self {
+        AffineLanes { center: [center; N], slope: [[0.0; N]; SYMBOLS], error: [error; N], flags: [0; N] }
+    }
+
+    /// How far the value of lane i can be from its centre.
+    #[inline(always)]
+    pub fn radius(&self, i: usize) -> f64 {
+        let [a, b, c] = self.slope.map(|slope| slope[i].abs());
+        ((a + b) + (c + self.error[i])) * (1.0 + ROUNDING) + TINY
+    }
+
+    /// The bounds of lane i; NaN if the form says nothing.
+    #[inline(always)]
+    pub fn bounds(&self, i: usize) -> (f64, f64) {
+        let radius = self.radius(i) + ROUNDING * self.center[i].abs();
+        (self.center[i] - radius, self.center[i] + radius)
+    }
+
+    /// The forms as intervals.
+    #[inline(always)]
+    fn to_intervals(self) -> IntervalLanes<N> {
+        let mut out = IntervalLanes { lo: [0.0; N], hi: [0.0; N], flags: self.flags };
+        for i in 0..N {
+            let (lo, hi) = self.bounds(i);
+            let (lo, hi) = if lo <= hi { (lo, hi) } else { (f64::NEG_INFINITY, f64::INFINITY) };
+            let nowhere = self.flags[i] & NOWHERE != 0;
+            out.lo[i] = if nowhere { f64::NAN } else { lo };
+            out.hi[i] = if nowhere { f64::NAN } else { hi };
+        }
+        out
+    }
+
+    /// Takes the marked lanes from intervals.
+    #[inline(always)]
+    fn take(&mut self, from: &IntervalLanes<N>, marked: &Mask<N>) {
+        for i in 0..N {
+            if marked[i] != 0 {
+                let (lo, hi) = (from.lo[i], from.hi[i]);
+                let center = 0.5 * lo + 0.5 * hi;
+                let error = (hi - center).max(center - lo) * (1.0 + ROUNDING) + TINY;
+                let finite = error < f64::INFINITY;
+                self.center[i] = if finite { center } else { 0.0 };
+                self.error[i] = if finite { error } else { f64::INFINITY };
+                for slope in &mut self.slope {
+                    slope[i] = 0.0;
+                }
+                self.flags[i] = from.flags[i];
+            }
+        }
+    }
+}
+
+/// The marked lanes by an operation on intervals.
+#[inline(always)]
+fn repair<const N: usize>(
+    a: &AffineLanes<N>,
+    out: &mut AffineLanes<N>,
+    marked: &Mask<N>,
+    operation: impl Fn(&IntervalLanes<N>, &mut IntervalLanes<N>),
+) {
+    let mut result = IntervalLanes::default();
+    operation(&a.to_intervals(), &mut result);
+    out.take(&result, marked);
+}
+
+/// The marked lanes by an operation on two arrays of intervals.
+#[inline(always)]
+fn repair_pairs<const N: usize>(
+    a: &AffineLanes<N>,
+    b: &AffineLanes<N>,
+    out: &mut AffineLanes<N>,
+    marked: &Mask<N>,
+    operation: impl Fn(&IntervalLanes<N>, &IntervalLanes<N>, &mut IntervalLanes<N>),
+) {
+    let mut result = IntervalLanes::default();
+    operation(&a.to_intervals(), &b.to_intervals(), &mut result);
+    out.take(&result, marked);
+}
+
+/// Operations that are computed on intervals alone, for they are rare where cells are traced.
+macro_rules! by_intervals {
+    ($($name:ident),*) => {
+        $(fn $name<L: Level>(a: &Self, out: &mut Self) {
+            repair(a, out, &[u64::MAX; N], IntervalLanes::$name::<L>);
+        })*
+    };
+}
+
+macro_rules! by_forms {
+    ($($module:ident :: $name:ident($($argument:ident),*) $(<$level:ident>)?;)*) => {
+        $(#[inline(always)]
+        fn $name<L: Level>($($argument: &Self,)* out: &mut Self) {
+            $module::$name$(::<$level, N>)?($($argument,)* out);
+        })*
+    };
+}
+
+impl<const N: usize> Number for AffineLanes<N> {
+    fn constant(value: Constant) -> Self {
+        let radius = (value.range.hi - value.point).max(value.point - value.range.lo);
+        let error = if radius > 0.0 { radius * (1.0 + ROUNDING) } else { 0.0 };
+        let mut all = Self::splat(value.point, error);
+        if value.range.is_empty() {
+            all.flags = [PARTIAL | JUMP | NOWHERE; N];
+        }
+        all
+    }
+
+    by_intervals! { sign, floor, asin, acos, asinh, acosh, atanh, self_power }
+
+    by_forms! {
+        arithmetic::neg(a);
+        arithmetic::add(a, b);
+        arithmetic::sub(a, b);
+        arithmetic::mul(a, b);
+        arithmetic::square(a);
+        choice::abs(a)<L>;
+        choice::min(a, b)<L>;
+        choice::max(a, b)<L>;
+        elementary::sqrt(a)<L>;
+        elementary::exp(a)<L>;
+        elementary::ln(a)<L>;
+        elementary::log2(a)<L>;
+        elementary::log10(a)<L>;
+        elementary::sin(a)<L>;
+        elementary::cos(a)<L>;
+        elementary::tan(a)<L>;
+        elementary::atan(a)<L>;
+        elementary::sinh(a)<L>;
+        elementary::cosh(a)<L>;
+        elementary::tanh(a)<L>;
+        elementary::erf(a)<L>;
+    }
+
+    #[inline(always)]
+    fn sin_cos<L: Level>(a: &Self, sin: &mut Self, cos: &mut Self) {
+        elementary::sin_cos::<L, N>(a, sin, cos);
+    }
+
+    #[inline(always)]
+    fn div<L: Level>(a: &Self, b: &Self, out: &mut Self) {
+        let mut inverse = *b;
+        let odd = elementary::reciprocal(b, &mut inverse);
+        arithmetic::mul(a, &inverse, out);
+        if any(&odd) {
+            repair_pairs(a, b, out, &odd, IntervalLanes::div::<L>);
+        }
+    }
+
+    #[inline(always)]
+    fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
+        elementary::power::<L, N>(a, n, out);
+    }
+
+    #[inline(always)]
+    fn root<L: Level>(a: &Self, n: u32, out: &mut Self) {
+        elementary::root::<L, N>(a, n, out);
+    }
+
+    #[inline(always)]
+    fn pow<L: Level>(a: &Self, b: &Self, out: &mut Self) {
+        elementary::pow::<L, N>(a, b, out);
+    }
+
+    fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self) {
+        repair_pairs(a, b, out, &[u64::MAX; N], IntervalLanes::atan2::<L>);
+    }
+
+    #[inline(always)]
+    fn choose<L: Level>(c: &Self, a: &Self, b: &Self, out: &mut Self) {
+        choice::choose::<L, N>(c, a, b, out);
+    }
+}
+
+#[cfg(test)]
+mod tests;
