@@ -10,11 +10,11 @@ use implicit::diag::Sources;
 use implicit::expr::lower::{self, lower};
 use implicit::num::level::Simd;
 use implicit::scene::camera::{Camera, Projection};
-use implicit::surface::{Clip, Counts, Kind, Method, Shape, Surface, Tracer};
+use implicit::surface::{Clip, Counts, Kind, Method, Rectangle, Shape, Surface, Tracer};
 use rustix::time::{ClockId, clock_gettime};
 
 /// Rays of one batch: a square of pixels, as the renderer gives them.
-const TILE: u32 = 32;
+const TILE: u32 = 64;
 
 /// Runs of each scene; the median counts.
 const RUNS: usize = 3;
@@ -72,6 +72,7 @@ fn surfaces(scene: &toml::Value) -> Vec<Surface> {
 /// Processor seconds, what was computed, hits and proven pixels of one picture.
 fn trace(surfaces: &[Surface], camera: &Camera, size: u32) -> (f64, Counts, u64, u64) {
     let mut tracer = Tracer::new(surfaces, Method::Faithful);
+    let screen = camera.screen(size, size);
     let (mut rays, mut hits) = (Vec::new(), Vec::new());
     let (mut drawn, mut proven) = (0, 0);
     let start = processor_seconds();
@@ -80,7 +81,8 @@ fn trace(surfaces: &[Surface], camera: &Camera, size: u32) -> (f64, Counts, u64,
             let pixels = (0..TILE * TILE).map(|k| (left + k % TILE, top + k / TILE));
             rays.clear();
             rays.extend(pixels.map(|(i, j)| camera.ray(size, size, f64::from(i) + 0.5, f64::from(j) + 0.5)));
-            tracer.trace(&rays, &mut hits);
+            let rectangle = Rectangle { left, top, width: TILE, height: TILE };
+            tracer.trace_rectangle(&screen, rectangle, &rays, &mut hits);
             drawn += hits.iter().filter(|hit| hit.is_drawn()).count() as u64;
             proven += hits.iter().filter(|hit| hit.proven).count() as u64;
         }

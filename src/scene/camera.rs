@@ -4,7 +4,7 @@
 //! Right-handed world, z up.
 
 use super::angle;
-use crate::surface::Ray;
+use crate::surface::{Ray, Screen};
 use glam::DVec3;
 use std::fmt;
 
@@ -92,6 +92,21 @@ impl Camera {
         }
         let direction = self.forward + offset;
         Ray { origin: self.eye, direction: direction / direction.length() }
+    }
+
+    /// The rays through the centres of all pixels of such a picture, as a whole.
+    pub fn screen(&self, width: u32, height: u32) -> Screen {
+        let (w, h) = (f64::from(width), f64::from(height));
+        let step = 2.0 * self.half_height / h;
+        Screen {
+            eye: self.eye,
+            forward: self.forward,
+            right: self.right,
+            up: self.up,
+            is_parallel: self.is_parallel,
+            first: [(0.5 / w * 2.0 - 1.0) * (w / h) * self.half_height, (1.0 - 0.5 / h * 2.0) * self.half_height],
+            step: [step, -step],
+        }
     }
 }
 

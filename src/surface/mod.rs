@@ -8,6 +8,9 @@
 //! - [`sheet`]: a formula made ready: the sheets of its zero set and their kernels.
 //! - [`hit`]: what is known about a ray.
 //! - [`region`]: the clip, and the part of a ray inside it.
+//! - [`screen`]: the rays of a picture as a whole.
+//! - [`tile`]: the fast way of the faithful method: squares of pixels settled at once.
+//! - [`stream`]: the roots of those squares, certified in batches.
 //! - [`march`]: the textbook method: steps, a change of sign, Newton.
 //! - [`isolate`]: the faithful method: intervals that prove where no root is, batches of rays at once.
 //! - [`refine`]: Newton's method inside a bracket, and the certificate of its result.
@@ -19,10 +22,14 @@ mod isolate;
 mod march;
 mod refine;
 pub mod region;
+pub mod screen;
 pub mod sheet;
+mod stream;
+mod tile;
 pub mod tracer;
 
 pub use hit::{Counts, Hit, Outcome, Ray};
 pub use region::{Clip, Shape};
+pub use screen::{Rectangle, Screen};
 pub use sheet::{Kind, Surface};
 pub use tracer::{Method, Tracer};

@@ -5,6 +5,7 @@
 
 use super::hit::Ray;
 use super::region::{self, Clip, Shape};
+use super::tile::Forms;
 use crate::closure::pieces::Pieces;
 use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::{derivative, gradient};
@@ -58,6 +59,10 @@ pub(crate) struct Sheet {
     pub(crate) value: Kernel<Cells>,
     /// g and g' = a·g_x + b·g_y + c·g_z over pieces of rays.
     pub(crate) slope: Kernel<Cells>,
+    /// g over squares of the screen.
+    pub(crate) value_form: Kernel<Forms>,
+    /// g and g' there.
+    pub(crate) slope_form: Kernel<Forms>,
     /// g at points.
     pub(crate) point: Kernel<Points>,
     /// g, g_x, g_y, g_z at points.
@@ -128,9 +133,12 @@ fn sheet(graph: &mut Graph, part: &equation::Sheet, fields: &[NodeId], simd: Sim
     let [gx, gy, gz] = gradient(graph, g);
     let mut scalar = vec![g, slope, curvature];
     scalar.extend(part.guards.iter().chain(&part.nonzero).chain(fields));
+    let (value, with_slope) = (Tape::new(graph, &[g]), Tape::new(graph, &[g, slope]));
     Sheet {
-        value: Kernel::new(&Tape::new(graph, &[g]), simd),
-        slope: Kernel::new(&Tape::new(graph, &[g, slope]), simd),
+        value: Kernel::new(&value, simd),
+        slope: Kernel::new(&with_slope, simd),
+        value_form: Kernel::new(&value, simd),
+        slope_form: Kernel::new(&with_slope, simd),
         point: Kernel::new(&Tape::for_points(graph, &[g]), simd),
         gradient: Kernel::new(&Tape::for_points(graph, &[g, gx, gy, gz]), simd),
         scalar: Pieces::new(Tape::new(graph, &scalar), simd),

@@ -8,7 +8,10 @@ use super::hit::{Counts, Hit, Outcome, Ray};
 use super::isolate::{CellFiles, Found, Open, Pool, Rays};
 use super::march::Marcher;
 use super::refine::{Batch, Files, Refined, points_at};
+use super::screen::{Rectangle, Screen};
 use super::sheet::{POINTS, Points, Sheet, Surface};
+use super::stream::{Guess, Root, Stream, StreamFiles};
+use super::tile::{Crossing, FormFiles, Rest, Settled, Walk};
 use crate::closure::pieces::Scratch;
 use glam::DVec3;
 
@@ -30,6 +33,10 @@ const SKIPPED: f64 = 1e-12;
 /// The end of a ray that no region ends.
 const FAR: f64 = 1e9;
 
+/// What a distance along a ray and a depth may be off by, being products of a few roundings; a hundred times too much.
+const SHORTENED: f64 = 1.0 - 1e-13;
+const LENGTHENED: f64 = 1.0 + 1e-13;
+
 /// How much of a hard ray the careful method settles before lanes take over again, as a part of the scale.
 const STRETCH: f64 = 4e-5;
 
@@ -44,13 +51,28 @@ pub struct Tracer<'a> {
     refined: Vec<Refined>,
     open: Vec<Open>,
     marcher: Marcher,
+    tiles: Tiles,
     /// What was computed since the tracer was made.
     pub counts: Counts,
+}
+
+/// Room for what is settled by squares of the screen.
+#[derive(Default)]
+struct Tiles {
+    walk: Walk,
+    settled: Settled,
+    stream: Stream,
+    roots: Vec<Root>,
+    /// Between which distances each ray is looked at; upside down where it is not.
+    spans: Vec<(f64, f64)>,
+    /// How much longer each ray's way is than its depth.
+    lengths: Vec<f64>,
 }
 
 /// Register files of one sheet.
 struct Memory {
     cells: CellFiles,
+    forms: FormFiles,
     point: Vec<Points>,
     gradient: Vec<Points>,
     scalar: Scratch,
@@ -61,6 +83,7 @@ impl Memory {
     fn new(sheet: &Sheet) -> Self {
         Memory {
             cells: CellFiles { value: sheet.value.registers(), slope: sheet.slope.registers() },
+            forms: FormFiles { value: sheet.value_form.registers(), slope: sheet.slope_form.registers() },
             point: sheet.point.registers(),
             gradient: sheet.gradient.registers(),
             scalar: sheet.scalar.scratch(),
@@ -94,6 +117,7 @@ impl<'a> Tracer<'a> {
             refined: Vec::new(),
             open: Vec::new(),
             marcher: Marcher::new(surfaces),
+            tiles: Tiles::default(),
             counts: Counts::default(),
         }
     }
@@ -102,15 +126,21 @@ impl<'a> Tracer<'a> {
     ///
     /// A root at the very start (within 1e-12 of the region's size) is the one the eye is on, and is skipped.
     pub fn trace(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
-        self.run(rays, SKIPPED, hits);
+        self.run(rays, SKIPPED, None, hits);
+    }
+
+    /// The same for the rays through the centres of a rectangle's pixels, row by row: many at once, where that can be.
+    pub fn trace_rectangle(&mut self, screen: &Screen, rectangle: Rectangle, rays: &[Ray], hits: &mut Vec<Hit>) {
+        debug_assert_eq!(rays.len(), (rectangle.width * rectangle.height) as usize);
+        self.run(rays, SKIPPED, Some((screen, rectangle)), hits);
     }
 
     /// The same for rays that start beside a surface, at [`Hit::near`]: nothing is skipped.
     pub fn trace_from_surface(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
-        self.run(rays, 0.0, hits);
+        self.run(rays, 0.0, None, hits);
     }
 
-    fn run(&mut self, rays: &[Ray], skipped: f64, hits: &mut Vec<Hit>) {
+    fn run(&mut self, rays: &[Ray], skipped: f64, view: Option<(&Screen, Rectangle)>, hits: &mut Vec<Hit>) {
         hits.clear();
         hits.resize(rays.len(), Hit::NONE);
         self.counts.rays += rays.len() as u64;
@@ -122,7 +152,7 @@ impl<'a> Tracer<'a> {
         for (index, surface) in self.surfaces.iter().enumerate() {
             job.surface = index as u32;
             for k in 0..surface.sheets.len() {
-                self.sheet(index, k, skipped, &mut job);
+                self.sheet(index, k, skipped, view, &mut job);
             }
         }
         for (hit, &doubt) in job.hits.iter_mut().zip(&job.doubt) {
@@ -131,10 +161,13 @@ impl<'a> Tracer<'a> {
     }
 
     /// One sheet of one surface, for all rays.
-    fn sheet(&mut self, index: usize, k: usize, skipped: f64, job: &mut Job) {
+    fn sheet(&mut self, index: usize, k: usize, skipped: f64, view: Option<(&Screen, Rectangle)>, job: &mut Job) {
         let surface = &self.surfaces[index];
         self.open.clear();
-        self.open_rays(surface, skipped, job);
+        match view {
+            Some(view) if surface.sheets[k].is_free() => self.squares(surface, index, k, skipped, view, job),
+            _ => self.open_rays(surface, skipped, job),
+        }
         while !self.open.is_empty() {
             let memory = &mut self.files[index][k];
             let sheet = &surface.sheets[k];
@@ -166,6 +199,97 @@ impl<'a> Tracer<'a> {
         }
         // Lanes take from the back: the first rays first.
         self.open.reverse();
+    }
+
+    /// Settles what squares of the screen can, and opens the rays of the rest.
+    fn squares(
+        &mut self,
+        surface: &Surface,
+        index: usize,
+        k: usize,
+        skipped: f64,
+        (screen, rectangle): (&Screen, Rectangle),
+        job: &mut Job,
+    ) {
+        let (sheet, size) = (&surface.sheets[k], surface.size);
+        let Tiles { walk, settled, stream, roots, spans, lengths } = &mut self.tiles;
+        spans.clear();
+        spans.extend(job.rays.iter().zip(&*job.hits).map(|(ray, hit)| match surface.span(ray) {
+            Some((t0, t1)) => (t0.max(skipped * size), t1.min(hit.t).min(FAR)),
+            None => (f64::INFINITY, f64::NEG_INFINITY),
+        }));
+        lengths.clear();
+        lengths.extend(job.rays.iter().map(|ray| screen.length_of(ray.direction)));
+        let pixels = |left: u32, top: u32, width: u32, height: u32| {
+            (top..top + height).flat_map(move |j| (left..left + width).map(move |i| (j * rectangle.width + i) as usize))
+        };
+        let range = |left: u32, top: u32, width: u32, height: u32| {
+            let (mut a, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
+            for i in pixels(left, top, width, height) {
+                if spans[i].0 <= spans[i].1 {
+                    a = a.min(spans[i].0 / lengths[i]);
+                    end = end.max(spans[i].1 / lengths[i]);
+                }
+            }
+            (a <= end).then_some((a * SHORTENED, end * LENGTHENED))
+        };
+        settled.crossings.clear();
+        settled.rest.clear();
+        settled.cells = 0;
+        let memory = &mut self.files[index][k];
+        walk.run(sheet, &mut memory.forms, (screen, rectangle, surface.simd), range, settled);
+        self.counts.cells += settled.cells;
+        let mut files = StreamFiles { gradient: &mut memory.gradient, cells: &mut memory.cells.value };
+        let settings = (size, surface.simd);
+        roots.clear();
+        let mut gradients = 0;
+        for crossing in &settled.crossings {
+            let Crossing { left, top, width, height, a, b, steepness, depth, cost } = *crossing;
+            let (x, y) = (0.5 * f64::from(width - 1), 0.5 * f64::from(height - 1));
+            for (n, i) in pixels(left, top, width, height).enumerate() {
+                let (t0, t1) = spans[i];
+                let long = lengths[i];
+                let (a, b) = (a * long * SHORTENED, b * long * LENGTHENED);
+                if !(t0 <= t1) || a > t1 {
+                    continue;
+                }
+                let (dx, dy) = (f64::from(n as u32 % width) - x, f64::from(n as u32 / width) - y);
+                let t = (depth[0] + dx * depth[1] + dy * depth[2]) * long;
+                let t = if t > a && t < b { t } else { 0.5 * (a + b) };
+                let guess = Guess { ray: i as u32, a, b, t, steepness: steepness / long * SHORTENED, cost };
+                if stream.push(guess, &job.rays[i], size) {
+                    gradients += stream.run(sheet, &mut files, settings, roots);
+                }
+            }
+        }
+        gradients += stream.run(sheet, &mut files, settings, roots);
+        self.counts.gradients += gradients;
+        self.counts.cells += roots.len() as u64;
+        for root in roots.iter() {
+            let Guess { ray, a, b, cost, .. } = root.guess;
+            let (t0, t1) = spans[ray as usize];
+            let open = Open { ray, a: a.max(t0), end: t1, step: b - a, slabs: cost };
+            if root.width.is_nan() {
+                self.open.push(open);
+            } else if root.t < t0 {
+                self.open.extend((b < t1).then_some(Open { a: b.max(t0), ..open }));
+            } else if root.t <= t1 {
+                job.settle(open, Outcome::Hit, root.t, root.width);
+                job.turn(ray, root.gradient);
+            } else {
+                job.hits[ray as usize].cost += cost;
+            }
+        }
+        for rest in &settled.rest {
+            let Rest { left, top, width, height, a, step, cost } = *rest;
+            for i in pixels(left, top, width, height) {
+                let ((t0, t1), long) = (spans[i], lengths[i]);
+                let a = t0.max(a * long * SHORTENED);
+                if a <= t1 {
+                    self.open.push(Open { ray: i as u32, a, end: t1, step: step * long, slabs: cost });
+                }
+            }
+        }
     }
 
     /// Refines all brackets found, and files what comes of it.

@@ -4,7 +4,7 @@
 //! cases that are not right. The rays are traced in memory, so that the depths are compared as doubles.
 
 use super::npy;
-use super::truth_case::{Case, cases};
+use super::truth_case::{Case, Way, cases};
 use implicit::surface::{Hit, Method, Outcome};
 use rayon::prelude::*;
 use std::fmt::Write;
@@ -40,10 +40,10 @@ struct Report {
 }
 
 /// Traces a case and compares every pixel that is decided.
-fn report(case: &Case, method: Method) -> Report {
+fn report(case: &Case, method: Method, way: Way) -> Report {
     let truth = npy::matrix(&std::fs::read(&case.depths).unwrap()).unwrap();
     assert_eq!((truth.rows, truth.columns), (case.height as usize, case.width as usize), "{}", case.name);
-    let hits = case.trace(method).unwrap_or_else(|error| panic!("{}: {error}", case.name));
+    let hits = case.trace(method, way).unwrap_or_else(|error| panic!("{}: {error}", case.name));
     assert_eq!(hits.len(), truth.numbers.len(), "{}", case.name);
     let count = |outcome| hits.iter().filter(|hit| hit.outcome == outcome).count();
     let mut report = Report {
@@ -76,8 +76,8 @@ fn is_right(truth: f64, hit: &Hit, size: f64) -> bool {
     }
 }
 
-fn reports(cases: &[Case], method: impl Fn(&Case) -> Method + Sync) -> Vec<Report> {
-    cases.par_iter().map(|case| report(case, method(case))).collect()
+fn reports(cases: &[Case], way: Way, method: impl Fn(&Case) -> Method + Sync) -> Vec<Report> {
+    cases.par_iter().map(|case| report(case, method(case), way)).collect()
 }
 
 /// One line a case, and its first fault.
@@ -104,11 +104,17 @@ fn allowed(name: &str) -> usize {
 }
 
 fn all_are_right(cases: &[Case]) {
-    let reports = reports(cases, |_| Method::Faithful);
+    for way in [Way::Rays, Way::Squares] {
+        all_are_right_by(way, cases);
+    }
+}
+
+fn all_are_right_by(way: Way, cases: &[Case]) {
+    let reports = reports(cases, way, |_| Method::Faithful);
     let proven = reports.iter().flat_map(|report| &report.faults).filter(|fault| fault.hit.proven).count();
-    assert_eq!(proven, 0, "proven and wrong{}", table(&reports));
+    assert_eq!(proven, 0, "{way:?}: proven and wrong{}", table(&reports));
     let is_right = |report: &Report| report.faults.len() <= allowed(&report.name);
-    assert!(reports.iter().all(is_right), "{}", table(&reports));
+    assert!(reports.iter().all(is_right), "{way:?}: {}", table(&reports));
     assert!(reports.iter().map(|report| report.decided).sum::<usize>() > 100_000, "too little was decided");
 }
 
@@ -128,7 +134,7 @@ fn faithful_is_right_at_every_decided_pixel_of_the_hard_cases() {
 
 #[test]
 fn march_is_right_at_nearly_every_pixel_of_the_twenty_pictures() {
-    let reports = reports(&cases("truth"), |case| Method::March { step: case.size() / MARCH_STEPS });
+    let reports = reports(&cases("truth"), Way::Rays, |case| Method::March { step: case.size() / MARCH_STEPS });
     let decided: usize = reports.iter().map(|report| report.decided).sum();
     let wrong: usize = reports.iter().map(|report| report.faults.len()).sum();
     assert!(reports.iter().all(|report| report.proven == 0), "march proves nothing");

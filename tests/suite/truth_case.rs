@@ -8,10 +8,22 @@ use implicit::diag::Sources;
 use implicit::expr::lower::{self, lower};
 use implicit::num::level::Simd;
 use implicit::scene::camera::{Camera, Projection};
-use implicit::surface::{Clip, Hit, Method, Shape, Surface, Tracer};
+use implicit::surface::{Clip, Hit, Method, Rectangle, Shape, Surface, Tracer};
 use implicit::syntax;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
+
+/// The side of the rectangles that are traced at once.
+const SIDE: usize = 64;
+
+/// How the rays of a picture are settled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Way {
+    /// Each by itself.
+    Rays,
+    /// In squares of pixels, where that can be.
+    Squares,
+}
 
 /// A picture with known depths.
 pub(crate) struct Case {
@@ -89,15 +101,29 @@ impl Case {
     }
 
     /// What is hit in the centre of each pixel, row by row.
-    pub(crate) fn trace(&self, method: Method) -> Result<Vec<Hit>, String> {
+    pub(crate) fn trace(&self, method: Method, way: Way) -> Result<Vec<Hit>, String> {
         let camera = Camera::new(self.eye, self.look_at, Projection::Perspective { fov: self.fov });
         let camera = camera.map_err(|error| error.to_string())?;
         let surfaces = self.surfaces()?;
         let (width, height) = (self.width, self.height);
-        let pixels = (0..height).flat_map(|j| (0..width).map(move |i| (f64::from(i) + 0.5, f64::from(j) + 0.5)));
-        let rays: Vec<_> = pixels.map(|(across, down)| camera.ray(width, height, across, down)).collect();
+        let mut tracer = Tracer::new(&surfaces, method);
+        let mut all = vec![Hit::NONE; (width * height) as usize];
         let mut hits = Vec::new();
-        Tracer::new(&surfaces, method).trace(&rays, &mut hits);
-        Ok(hits)
+        for (left, top) in (0..height).step_by(SIDE).flat_map(|j| (0..width).step_by(SIDE).map(move |i| (i, j))) {
+            let side = SIDE as u32;
+            let rectangle = Rectangle { left, top, width: side.min(width - left), height: side.min(height - top) };
+            let pixels = (0..rectangle.height).flat_map(|j| (0..rectangle.width).map(move |i| (left + i, top + j)));
+            let pixels: Vec<(u32, u32)> = pixels.collect();
+            let ray = |&(i, j): &(u32, u32)| camera.ray(width, height, f64::from(i) + 0.5, f64::from(j) + 0.5);
+            let rays: Vec<_> = pixels.iter().map(ray).collect();
+            match way {
+                Way::Rays => tracer.trace(&rays, &mut hits),
+                Way::Squares => tracer.trace_rectangle(&camera.screen(width, height), rectangle, &rays, &mut hits),
+            }
+            for (&(i, j), hit) in pixels.iter().zip(&hits) {
+                all[(j * width + i) as usize] = *hit;
+            }
+        }
+        Ok(all)
     }
 }

@@ -1,0 +1,133 @@
+//! The rays of a picture, as a whole: what lets many of them be settled at once.
+//!
+//! In: an eye with its frame and its pixels. Out: where the rays of a square of pixels are between two depths, as affine
+//! forms of (across, down, along). Separate from [`Ray`] because these know what rays have in common.
+
+use super::tile::{FORMS, Forms};
+use crate::num::level::for_each_level;
+use glam::DVec3;
+
+/// The rays through the pixels of a picture: through (i, j) it goes along forward + sx·right + sy·up, with
+/// sx = first\[0\] + i·step\[0\] and sy = first\[1\] + j·step\[1\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Screen {
+    /// Where the rays leave from; with parallel rays, those of sx = sy = 0.
+    pub eye: DVec3,
+    /// The direction in the middle, of length 1.
+    pub forward: DVec3,
+    /// To the right, of length 1, across `forward`.
+    pub right: DVec3,
+    /// Upward, of length 1, across both.
+    pub up: DVec3,
+    /// Whether all rays go forward, from eye + sx·right + sy·up.
+    pub is_parallel: bool,
+    /// (sx, sy) of the first pixel's centre.
+    pub first: [f64; 2],
+    /// What a pixel adds to them.
+    pub step: [f64; 2],
+}
+
+/// A rectangle of pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rectangle {
+    /// Pixels from the picture's left edge.
+    pub left: u32,
+    /// Pixels from its upper edge.
+    pub top: u32,
+    /// Pixels across, > 0.
+    pub width: u32,
+    /// Pixels down, > 0.
+    pub height: u32,
+}
+
+/// What sx and sy may be off by rounding, as a part of the largest of them in the picture; a thousand times too much.
+const ROUNDED: f64 = 1e-13;
+
+/// Squares of pixels between two depths, a number of each in an array.
+#[derive(Clone, Debug)]
+pub(crate) struct Places {
+    /// The middle: sx, sy, depth.
+    pub(crate) middle: [[f64; FORMS]; 3],
+    /// From the middle to the edges.
+    pub(crate) half: [[f64; FORMS]; 3],
+}
+
+impl Default for Places {
+    fn default() -> Self {
+        Places { middle: [[0.0; FORMS]; 3], half: [[0.0; FORMS]; 3] }
+    }
+}
+
+impl Screen {
+    /// How much longer the part of a ray is than its depth, which is counted along `forward`.
+    pub(crate) fn length_of(&self, direction: DVec3) -> f64 {
+        if self.is_parallel { 1.0 } else { 1.0 / direction.dot(self.forward) }
+    }
+
+    /// The width of so many pixels at a depth.
+    pub(crate) fn width_at(&self, pixels: u32, depth: f64) -> f64 {
+        let width = f64::from(pixels) * self.step[0].abs();
+        if self.is_parallel { width } else { width * depth }
+    }
+
+    /// Middle and half width of a square of pixels, one number for each of across and down.
+    pub(crate) fn square(&self, left: u32, top: u32, size: [u32; 2]) -> [[f64; 2]; 2] {
+        let last = [left + size[0] - 1, top + size[1] - 1];
+        let start = [left, top];
+        let mut square = [[0.0; 2]; 2];
+        for axis in 0..2 {
+            let at = |pixel: u32| self.first[axis] + f64::from(pixel) * self.step[axis];
+            let (p, q) = (at(start[axis]), at(last[axis]));
+            let rounded = ROUNDED * (self.first[0].abs() + self.first[1].abs() + self.step[0].abs());
+            square[0][axis] = 0.5 * (p + q);
+            square[1][axis] = 0.5 * (q - p).abs() + rounded;
+        }
+        square
+    }
+}
+
+for_each_level! {
+    /// Puts the points of each place into the registers of the coordinates, and the ways along the rays behind them.
+    pub(crate) fn place_forms[L](screen: &Screen, places: &Places, forms: &mut [Forms]) {
+        /// 2^-48 and 2^-50: what the points of a ray are off by rounding, as parts of the distance and of the eye's place.
+        const PER_DISTANCE: f64 = 1.0 / (1u64 << 48) as f64;
+        const PER_ORIGIN: f64 = 1.0 / (1u64 << 50) as f64;
+        let Places { middle: [u, v, s], half: [hu, hv, hs] } = places;
+        for axis in 0..3 {
+            let (o, f, r, t) = (screen.eye[axis], screen.forward[axis], screen.right[axis], screen.up[axis]);
+            let [point, way] = forms.get_disjoint_mut([axis, axis + 3]).expect("two registers");
+            for i in 0..FORMS {
+                let (across, down) = (r * hu[i], t * hv[i]);
+                let aside = r * u[i] + t * v[i];
+                let far = s[i] + hs[i];
+                let rounding = PER_DISTANCE * (far * (2.0 + u[i].abs() + v[i].abs())) + PER_ORIGIN * o.abs();
+                let spread = across.abs() + down.abs();
+                if screen.is_parallel {
+                    point.center[i] = o + aside + f * s[i];
+                    point.slope[0][i] = across;
+                    point.slope[1][i] = down;
+                    point.slope[2][i] = f * hs[i];
+                    point.error[i] = rounding + PER_DISTANCE * (aside.abs() + spread);
+                    way.center[i] = f;
+                    way.slope[0][i] = 0.0;
+                    way.slope[1][i] = 0.0;
+                    way.error[i] = PER_DISTANCE;
+                } else {
+                    let d = f + aside;
+                    point.center[i] = o + s[i] * d;
+                    point.slope[0][i] = s[i] * across;
+                    point.slope[1][i] = s[i] * down;
+                    point.slope[2][i] = hs[i] * d;
+                    point.error[i] = hs[i] * spread + rounding;
+                    way.center[i] = d;
+                    way.slope[0][i] = across;
+                    way.slope[1][i] = down;
+                    way.error[i] = PER_DISTANCE * (2.0 + u[i].abs() + v[i].abs());
+                }
+                way.slope[2][i] = 0.0;
+            }
+            point.flags = [0; FORMS];
+            way.flags = [0; FORMS];
+        }
+    }
+}

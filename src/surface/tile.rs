@@ -1,0 +1,366 @@
+//! The fast way: squares of pixels between two depths, settled for all their rays at once.
+//!
+//! In: the rays of a rectangle of the picture. Out: brackets in which each ray of a square has exactly one root and none
+//! before, for [`super::stream`]; and the rays that squares could not settle, for [`super::isolate`]. Rays that are
+//! in neither meet nothing: proven.
+//!
+//! A square walks from the front. Over its slab of depths [a, b] it encloses g by an affine form of (across, down, along).
+//! - 0 is not in the form: nothing is there for any ray. Go on behind it with twice the length.
+//! - The linear part says where along the rays zero can be: the slab becomes that part, longer than before where a sheet
+//!   lies askew and reaches out of it.
+//! - Zero is all inside: g has opposite signs at both ends for every ray. Where its slope along the rays has one sign too,
+//!   each ray has one root there.
+//! - None of these: half the slab, or four squares.
+
+use super::screen::{Places, Rectangle, Screen, place_forms};
+use super::sheet::Sheet;
+use crate::num::affine_lanes::AffineLanes;
+use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
+use crate::num::level::Simd;
+
+/// How many squares are enclosed at once.
+pub(crate) const FORMS: usize = 16;
+
+/// Enclosures over [`FORMS`] squares.
+pub(crate) type Forms = AffineLanes<FORMS>;
+
+/// The first squares, in pixels a side: smaller ones cost more in empty space, larger ones rarely settle anything.
+const LARGEST: u32 = 16;
+
+/// The last squares; what they do not settle goes to single rays.
+const SMALLEST: u32 = 4;
+
+/// A sheet that lies so much askew that it is this many half slabs thick is not followed but cut.
+const MOST_GROWTH: f64 = 6.0;
+
+/// A slab longer than this many widths of its square is halved, a shorter one cut into squares.
+const LONG: f64 = 3.0;
+
+/// How much a contracted slab is left wider than it must be, in half slabs: far more than its sums round off.
+const MARGIN: f64 = 1e-6;
+
+/// A square may take this many slabs before it is cut.
+const MOST_SLABS: u32 = 24;
+
+/// A square of pixels on its way.
+#[derive(Clone, Copy, Debug, Default)]
+struct Square {
+    /// From the rectangle's corner.
+    left: u32,
+    top: u32,
+    width: u32,
+    height: u32,
+    /// Pixels a side where nothing is cut off.
+    size: u32,
+    /// The slab.
+    a: f64,
+    b: f64,
+    /// Where the last ray of it ends.
+    end: f64,
+    /// The proven sign of g at a for every ray, or 0.
+    sign: f64,
+    /// Whether nothing is known yet of what is in front of a, so that the slab may begin sooner.
+    fresh: bool,
+    /// Slabs since it was cut, and in all.
+    slabs: u32,
+    cost: u32,
+}
+
+/// A slab in which every ray of a square has one root.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Crossing {
+    /// Pixels of the rectangle.
+    pub(crate) left: u32,
+    pub(crate) top: u32,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    /// The depths between which it is.
+    pub(crate) a: f64,
+    pub(crate) b: f64,
+    /// The least |dg/ds|, s the depth.
+    pub(crate) steepness: f64,
+    /// The root's depth in the middle of the square, and what a pixel across and down adds to it.
+    pub(crate) depth: [f64; 3],
+    /// Enclosures so far.
+    pub(crate) cost: u32,
+}
+
+/// A square whose rays go on one by one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rest {
+    /// Pixels of the rectangle.
+    pub(crate) left: u32,
+    pub(crate) top: u32,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    /// The depth up to which they are settled, and how far to reach first.
+    pub(crate) a: f64,
+    pub(crate) step: f64,
+    /// Enclosures so far.
+    pub(crate) cost: u32,
+}
+
+/// What the squares of a rectangle came to.
+#[derive(Debug, Default)]
+pub(crate) struct Settled {
+    pub(crate) crossings: Vec<Crossing>,
+    pub(crate) rest: Vec<Rest>,
+    /// Slabs enclosed.
+    pub(crate) cells: u64,
+}
+
+/// The register files of a sheet's forms.
+pub(crate) struct FormFiles {
+    /// Of g.
+    pub(crate) value: Vec<Forms>,
+    /// Of g and its slope along the rays.
+    pub(crate) slope: Vec<Forms>,
+}
+
+/// Room for the walk of squares.
+#[derive(Debug, Default)]
+pub(crate) struct Walk {
+    open: Vec<Square>,
+    /// With opposite signs at both ends, the slope to be looked at.
+    crossed: Vec<Square>,
+    places: Places,
+}
+
+/// What a slab says of its square.
+enum Verdict {
+    Empty,
+    Again,
+    Crossed,
+    Cut,
+}
+
+impl Walk {
+    /// Settles what squares of pixels can, each ray between the depths that `range` gives for a square.
+    pub(crate) fn run(
+        &mut self,
+        sheet: &Sheet,
+        files: &mut FormFiles,
+        (screen, rectangle, simd): (&Screen, Rectangle, Simd),
+        range: impl Fn(u32, u32, u32, u32) -> Option<(f64, f64)>,
+        settled: &mut Settled,
+    ) {
+        self.open.clear();
+        for top in (0..rectangle.height).step_by(LARGEST as usize) {
+            for left in (0..rectangle.width).step_by(LARGEST as usize) {
+                let (width, height) = (LARGEST.min(rectangle.width - left), LARGEST.min(rectangle.height - top));
+                if let Some((a, end)) = range(left, top, width, height) {
+                    let whole = Square {
+                        left,
+                        top,
+                        width,
+                        height,
+                        size: LARGEST,
+                        a,
+                        b: end,
+                        end,
+                        fresh: true,
+                        ..Square::default()
+                    };
+                    self.open.push(whole);
+                }
+            }
+        }
+        while !self.open.is_empty() || !self.crossed.is_empty() {
+            while !self.open.is_empty() {
+                self.look_at_values(sheet, files, (screen, rectangle, simd), settled);
+                if self.crossed.len() >= FORMS {
+                    self.look_at_slopes(sheet, files, (screen, rectangle, simd), settled);
+                }
+            }
+            self.look_at_slopes(sheet, files, (screen, rectangle, simd), settled);
+        }
+    }
+
+    fn place(
+        &mut self,
+        forms: &mut [Forms],
+        squares: &[Square],
+        (screen, rectangle, simd): (&Screen, Rectangle, Simd),
+    ) {
+        for (lane, square) in squares.iter().enumerate() {
+            let size = [square.width, square.height];
+            let [middle, half] = screen.square(rectangle.left + square.left, rectangle.top + square.top, size);
+            for axis in 0..2 {
+                self.places.middle[axis][lane] = middle[axis];
+                self.places.half[axis][lane] = half[axis];
+            }
+            self.places.middle[2][lane] = 0.5 * (square.a + square.b);
+            self.places.half[2][lane] = 0.5 * (square.b - square.a);
+        }
+        place_forms(simd, screen, &self.places, forms);
+    }
+
+    fn look_at_values(
+        &mut self,
+        sheet: &Sheet,
+        files: &mut FormFiles,
+        view: (&Screen, Rectangle, Simd),
+        settled: &mut Settled,
+    ) {
+        let mut squares = [Square::default(); FORMS];
+        let count = self.open.len().min(FORMS);
+        for square in &mut squares[..count] {
+            *square = self.open.pop().unwrap_or_default();
+        }
+        self.place(&mut files.value, &squares[..count], view);
+        sheet.value_form.run(&mut files.value);
+        let g = sheet.value_form.output(&files.value, 0);
+        settled.cells += count as u64;
+        for (lane, square) in squares[..count].iter_mut().enumerate() {
+            square.slabs += 1;
+            square.cost += 1;
+            match square.judge(g, lane, view.0) {
+                Verdict::Empty => {}
+                Verdict::Again => self.open.push(*square),
+                Verdict::Crossed => self.crossed.push(*square),
+                Verdict::Cut => self.cut(square, settled),
+            }
+        }
+    }
+
+    /// Files the crossed squares whose slope has one sign, and cuts the others.
+    fn look_at_slopes(
+        &mut self,
+        sheet: &Sheet,
+        files: &mut FormFiles,
+        view: (&Screen, Rectangle, Simd),
+        settled: &mut Settled,
+    ) {
+        let mut squares = [Square::default(); FORMS];
+        let count = self.crossed.len().min(FORMS);
+        for square in &mut squares[..count] {
+            *square = self.crossed.pop().unwrap_or_default();
+            square.cost += 1;
+        }
+        if count == 0 {
+            return;
+        }
+        self.place(&mut files.slope, &squares[..count], view);
+        sheet.slope_form.run(&mut files.slope);
+        let (g, slope) = (sheet.slope_form.output(&files.slope, 0), sheet.slope_form.output(&files.slope, 1));
+        settled.cells += count as u64;
+        for (lane, square) in squares[..count].iter().enumerate() {
+            let (lo, hi) = slope.bounds(lane);
+            let steepness = lo.max(-hi);
+            let smooth = (g.flags[lane] & (PARTIAL | JUMP)) | (slope.flags[lane] & PARTIAL) == 0;
+            if smooth && steepness > 0.0 {
+                settled.crossings.push(square.crossing(g, lane, steepness, view.0));
+            } else {
+                self.cut(square, settled);
+            }
+        }
+    }
+
+    /// Four squares, or single rays.
+    fn cut(&mut self, square: &Square, settled: &mut Settled) {
+        if square.size <= SMALLEST {
+            let Square { left, top, width, height, a, b, cost, .. } = *square;
+            settled.rest.push(Rest { left, top, width, height, a, step: b - a, cost });
+            return;
+        }
+        let half = square.size / 2;
+        for (x, y) in [(0, 0), (half, 0), (0, half), (half, half)] {
+            if x < square.width && y < square.height {
+                self.open.push(Square {
+                    left: square.left + x,
+                    top: square.top + y,
+                    width: half.min(square.width - x),
+                    height: half.min(square.height - y),
+                    size: half,
+                    slabs: 0,
+                    ..*square
+                });
+            }
+        }
+    }
+}
+
+impl Square {
+    /// What the form of g over the slab says; moves the slab.
+    fn judge(&mut self, g: &Forms, lane: usize, screen: &Screen) -> Verdict {
+        let (c, along) = (g.center[lane], g.slope[2][lane]);
+        let radius = g.radius(lane);
+        let flags = g.flags[lane];
+        let smooth = flags & (PARTIAL | JUMP) == 0;
+        if c.abs() > radius * (1.0 + 1e-12) || flags & NOWHERE != 0 {
+            return self.pass(if smooth { c.signum() } else { 0.0 });
+        }
+        if self.slabs >= MOST_SLABS {
+            return Verdict::Cut;
+        }
+        let aside = radius - along.abs() * (1.0 - 1e-12);
+        let (middle, half) = (-c / along, aside / along.abs());
+        // Written so that NaN is not smooth.
+        if smooth && half < MOST_GROWTH && middle.abs() < MOST_GROWTH + 2.0 {
+            let margin = MARGIN * (1.0 + middle.abs() + half);
+            return self.follow(-along.signum(), middle - half - margin, middle + half + margin);
+        }
+        self.halve(screen)
+    }
+
+    /// The slab is empty.
+    fn pass(&mut self, sign: f64) -> Verdict {
+        let step = 2.0 * (self.b - self.a);
+        self.a = self.b;
+        self.b = (self.a + step).min(self.end);
+        self.sign = sign;
+        self.fresh = false;
+        if self.a >= self.end { Verdict::Empty } else { Verdict::Again }
+    }
+
+    /// Zero can only be between `from` and `to`, in half slabs from the middle; g has the sign `front` before that.
+    fn follow(&mut self, front: f64, from: f64, to: f64) -> Verdict {
+        let (middle, half) = (0.5 * (self.a + self.b), 0.5 * (self.b - self.a));
+        let (a, b) = (middle + from * half, middle + to * half);
+        let known = from > -1.0 || self.sign == front;
+        if from > -1.0 {
+            (self.a, self.sign, self.fresh) = (a, front, false);
+        }
+        if known && to < 1.0 {
+            self.b = b;
+            return Verdict::Crossed;
+        }
+        if !known && !self.fresh {
+            // There is another sheet, or the form knows less than its past.
+            return self.halved();
+        }
+        if !known && a > 0.0 {
+            // The sheet is cut by the beginning of the rays: look at all of it.
+            self.a = a;
+        }
+        if !known && !(a > 0.0) {
+            return self.halved();
+        }
+        self.b = b.max(self.a + 0.5 * half);
+        Verdict::Again
+    }
+
+    fn halved(&mut self) -> Verdict {
+        self.b = self.a + 0.5 * (self.b - self.a);
+        Verdict::Again
+    }
+
+    fn halve(&mut self, screen: &Screen) -> Verdict {
+        let width = screen.width_at(self.size, 0.5 * (self.a + self.b));
+        if self.b - self.a > LONG * width { self.halved() } else { Verdict::Cut }
+    }
+
+    fn crossing(&self, g: &Forms, lane: usize, steepness: f64, screen: &Screen) -> Crossing {
+        let Square { left, top, width, height, a, b, cost, .. } = *self;
+        let half = 0.5 * (b - a);
+        let per = -half / g.slope[2][lane];
+        // A symbol goes from −1 to 1 over the centres of the square's pixels.
+        let per_pixel = |axis: usize, count: u32| 2.0 * screen.step[axis].signum() / f64::from(count.max(2) - 1);
+        let depth = [
+            0.5 * (a + b) + per * g.center[lane],
+            per * g.slope[0][lane] * per_pixel(0, width),
+            per * g.slope[1][lane] * per_pixel(1, height),
+        ];
+        Crossing { left, top, width, height, a, b, steepness, depth, cost }
+    }
+}
