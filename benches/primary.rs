@@ -73,16 +73,13 @@ fn surfaces(scene: &toml::Value) -> Vec<Surface> {
 fn trace(surfaces: &[Surface], camera: &Camera, size: u32) -> (f64, Counts, u64, u64) {
     let mut tracer = Tracer::new(surfaces, Method::Faithful);
     let screen = camera.screen(size, size);
-    let (mut rays, mut hits) = (Vec::new(), Vec::new());
+    let mut hits = Vec::new();
     let (mut drawn, mut proven) = (0, 0);
     let start = processor_seconds();
     for top in (0..size).step_by(TILE as usize) {
         for left in (0..size).step_by(TILE as usize) {
-            let pixels = (0..TILE * TILE).map(|k| (left + k % TILE, top + k / TILE));
-            rays.clear();
-            rays.extend(pixels.map(|(i, j)| camera.ray(size, size, f64::from(i) + 0.5, f64::from(j) + 0.5)));
             let rectangle = Rectangle { left, top, width: TILE, height: TILE };
-            tracer.trace_rectangle(&screen, rectangle, &rays, &mut hits);
+            tracer.trace_rectangle(&screen, rectangle, &mut hits);
             drawn += hits.iter().filter(|hit| hit.is_drawn()).count() as u64;
             proven += hits.iter().filter(|hit| hit.proven).count() as u64;
         }

@@ -92,38 +92,22 @@ impl<const N: usize> AffineLanes<N> {
     }
 }
 
-/// The marked lanes by an operation on intervals.
-#[inline(always)]
-fn repair<const N: usize>(
-    a: &AffineLanes<N>,
-    out: &mut AffineLanes<N>,
-    marked: &Mask<N>,
-    operation: impl Fn(&IntervalLanes<N>, &mut IntervalLanes<N>),
-) {
-    let mut result = IntervalLanes::default();
-    operation(&a.to_intervals(), &mut result);
-    out.take(&result, marked);
+/// Computes the marked lanes by an operation on intervals. A macro, for the operation must be compiled for the level of
+/// instructions of the place where it stands.
+macro_rules! repair {
+    ($marked:expr, $out:expr, $name:ident::<$level:ident>($($a:expr),+ $(; $n:expr)?)) => {{
+        let mut result = $crate::num::interval_lanes::IntervalLanes::default();
+        $crate::num::interval_lanes::IntervalLanes::$name::<$level>($(&$a.to_intervals(),)+ $($n,)? &mut result);
+        $out.take(&result, &$marked);
+    }};
 }
-
-/// The marked lanes by an operation on two arrays of intervals.
-#[inline(always)]
-fn repair_pairs<const N: usize>(
-    a: &AffineLanes<N>,
-    b: &AffineLanes<N>,
-    out: &mut AffineLanes<N>,
-    marked: &Mask<N>,
-    operation: impl Fn(&IntervalLanes<N>, &IntervalLanes<N>, &mut IntervalLanes<N>),
-) {
-    let mut result = IntervalLanes::default();
-    operation(&a.to_intervals(), &b.to_intervals(), &mut result);
-    out.take(&result, marked);
-}
+use repair;
 
 /// Operations that are computed on intervals alone, for they are rare where cells are traced.
 macro_rules! by_intervals {
     ($($name:ident),*) => {
         $(fn $name<L: Level>(a: &Self, out: &mut Self) {
-            repair(a, out, &[u64::MAX; N], IntervalLanes::$name::<L>);
+            repair!([u64::MAX; N], out, $name::<L>(a));
         })*
     };
 }
@@ -185,7 +169,7 @@ impl<const N: usize> Number for AffineLanes<N> {
         let odd = elementary::reciprocal(b, &mut inverse);
         arithmetic::mul(a, &inverse, out);
         if any(&odd) {
-            repair_pairs(a, b, out, &odd, IntervalLanes::div::<L>);
+            repair!(odd, out, div::<L>(a, b));
         }
     }
 
@@ -205,7 +189,7 @@ impl<const N: usize> Number for AffineLanes<N> {
     }
 
     fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self) {
-        repair_pairs(a, b, out, &[u64::MAX; N], IntervalLanes::atan2::<L>);
+        repair!([u64::MAX; N], out, atan2::<L>(a, b));
     }
 
     #[inline(always)]

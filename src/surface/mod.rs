@@ -9,6 +9,7 @@
 //! - [`hit`]: what is known about a ray.
 //! - [`region`]: the clip, and the part of a ray inside it.
 //! - [`screen`]: the rays of a picture as a whole.
+//! - [`bundle`]: the rays of a rectangle of it, a number of each in an array.
 //! - [`tile`]: the fast way of the faithful method: squares of pixels settled at once.
 //! - [`stream`]: the roots of those squares, certified in batches.
 //! - [`march`]: the textbook method: steps, a change of sign, Newton.
@@ -16,6 +17,7 @@
 //! - [`refine`]: Newton's method inside a bracket, and the certificate of its result.
 //! - [`careful`]: one hard ray at a time: roots without sign change, poles, jumps, edges of the domain.
 
+mod bundle;
 mod careful;
 pub mod hit;
 mod isolate;

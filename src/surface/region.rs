@@ -51,10 +51,7 @@ impl Shape {
 
     /// The distances between which the ray is inside, t ≥ 0; `None` if it never is.
     pub fn span(&self, ray: &Ray) -> Option<(f64, f64)> {
-        let (t0, t1) = match *self {
-            Shape::Box { min, max } => box_span(ray, min, max)?,
-            Shape::Ball { center, radius } => ball_span(ray, center, radius)?,
-        };
+        let (t0, t1) = shape_span(self, ray.origin.to_array(), ray.direction.to_array());
         let t0 = t0.max(0.0);
         (t0 <= t1).then_some((t0, t1))
     }
@@ -87,33 +84,55 @@ pub(crate) fn span(shapes: &[Shape], ray: &Ray) -> Option<(f64, f64)> {
     (t0 <= t1).then_some((t0, t1))
 }
 
+/// The distances between which a line is inside; the first is larger than the second if it never is.
+#[inline(always)]
+pub(crate) fn shape_span(shape: &Shape, origin: [f64; 3], direction: [f64; 3]) -> (f64, f64) {
+    match *shape {
+        Shape::Box { min, max } => box_span(origin, direction, min.to_array(), max.to_array()),
+        Shape::Ball { center, radius } => ball_span(origin, direction, center.to_array(), radius),
+    }
+}
+
+const NEVER: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+
 /// The slab method (Kay and Kajiya 1986).
-fn box_span(ray: &Ray, min: DVec3, max: DVec3) -> Option<(f64, f64)> {
+#[inline(always)]
+fn box_span(origin: [f64; 3], direction: [f64; 3], min: [f64; 3], max: [f64; 3]) -> (f64, f64) {
     let (mut t0, mut t1) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..3 {
-        let (o, d) = (ray.origin[axis], ray.direction[axis]);
-        if d == 0.0 {
-            if o < min[axis] || o > max[axis] {
-                return None;
-            }
-            continue;
-        }
+        let (o, d) = (origin[axis], direction[axis]);
         let (a, b) = ((min[axis] - o) / d, (max[axis] - o) / d);
-        t0 = t0.max(a.min(b));
-        t1 = t1.min(a.max(b));
+        let (first, last) = if a < b { (a, b) } else { (b, a) };
+        let inside = (o >= min[axis]) & (o <= max[axis]);
+        // A line along the slab is inside always or never.
+        let first = if d != 0.0 {
+            first
+        } else if inside {
+            f64::NEG_INFINITY
+        } else {
+            NEVER.0
+        };
+        let last = if d != 0.0 {
+            last
+        } else if inside {
+            f64::INFINITY
+        } else {
+            NEVER.1
+        };
+        t0 = if first > t0 { first } else { t0 };
+        t1 = if last < t1 { last } else { t1 };
     }
-    Some((t0, t1))
+    (t0, t1)
 }
 
 /// Both roots of the quadratic, measured from the point nearest to the centre so that nothing cancels.
-fn ball_span(ray: &Ray, center: DVec3, radius: f64) -> Option<(f64, f64)> {
-    let to_center = center - ray.origin;
-    let middle = to_center.dot(ray.direction);
-    let nearest = to_center - ray.direction * middle;
-    let half_squared = radius * radius - nearest.length_squared();
-    if half_squared < 0.0 {
-        return None;
-    }
+#[inline(always)]
+fn ball_span(origin: [f64; 3], direction: [f64; 3], center: [f64; 3], radius: f64) -> (f64, f64) {
+    let to = [center[0] - origin[0], center[1] - origin[1], center[2] - origin[2]];
+    let middle = to[0] * direction[0] + to[1] * direction[1] + to[2] * direction[2];
+    let off = [to[0] - direction[0] * middle, to[1] - direction[1] * middle, to[2] - direction[2] * middle];
+    let half_squared = radius * radius - (off[0] * off[0] + off[1] * off[1] + off[2] * off[2]);
     let half = half_squared.sqrt();
-    Some((middle - half, middle + half))
+    let meets = half_squared >= 0.0;
+    (if meets { middle - half } else { NEVER.0 }, if meets { middle + half } else { NEVER.1 })
 }

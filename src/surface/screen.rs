@@ -28,7 +28,7 @@ pub struct Screen {
 }
 
 /// A rectangle of pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rectangle {
     /// Pixels from the picture's left edge.
     pub left: u32,
@@ -38,6 +38,14 @@ pub struct Rectangle {
     pub width: u32,
     /// Pixels down, > 0.
     pub height: u32,
+}
+
+impl Rectangle {
+    /// The numbers of its pixels in a picture so many pixels wide, row by row.
+    pub(crate) fn numbers(self, width: u32) -> impl Iterator<Item = usize> {
+        (self.top..self.top + self.height)
+            .flat_map(move |j| (self.left..self.left + self.width).map(move |i| (j * width + i) as usize))
+    }
 }
 
 /// What sx and sy may be off by rounding, as a part of the largest of them in the picture; a thousand times too much.
@@ -59,11 +67,6 @@ impl Default for Places {
 }
 
 impl Screen {
-    /// How much longer the part of a ray is than its depth, which is counted along `forward`.
-    pub(crate) fn length_of(&self, direction: DVec3) -> f64 {
-        if self.is_parallel { 1.0 } else { 1.0 / direction.dot(self.forward) }
-    }
-
     /// The width of so many pixels at a depth.
     pub(crate) fn width_at(&self, pixels: u32, depth: f64) -> f64 {
         let width = f64::from(pixels) * self.step[0].abs();
@@ -71,9 +74,9 @@ impl Screen {
     }
 
     /// Middle and half width of a square of pixels, one number for each of across and down.
-    pub(crate) fn square(&self, left: u32, top: u32, size: [u32; 2]) -> [[f64; 2]; 2] {
-        let last = [left + size[0] - 1, top + size[1] - 1];
-        let start = [left, top];
+    pub(crate) fn square(&self, place: Rectangle) -> [[f64; 2]; 2] {
+        let start = [place.left, place.top];
+        let last = [place.left + place.width - 1, place.top + place.height - 1];
         let mut square = [[0.0; 2]; 2];
         for axis in 0..2 {
             let at = |pixel: u32| self.first[axis] + f64::from(pixel) * self.step[axis];

@@ -4,176 +4,255 @@
 //! t of the bracket is within |g(t)| / steepness of the root (mean value theorem), so that an enclosure of g at t alone
 //! proves how near it is. Separate from [`super::refine`], which knows less of its brackets and must look at both sides.
 
-use super::hit::Ray;
+use super::bundle::Bundle;
 use super::isolate::place;
 use super::refine::{WIDTH, points_at};
 use super::sheet::{CELLS, Cells, POINTS, Points, Sheet};
+use super::tile::Crossing;
 use crate::num::interval_lanes::PARTIAL;
 use crate::num::level::{Level, Simd, for_each_level};
 use glam::DVec3;
 
-/// Newton's method ends when no step was longer than this part of the scale; the next is its square, and the normal, taken
-/// before the last step, is as exact as f32.
-const CONVERGED: f64 = 1e-7;
+/// Newton's method ends when a step was not longer than this part of the scale: the next is its square.
+const CONVERGED: f64 = 2e-6;
+
+/// How much shorter the only step must be, for the normal is that of its beginning.
+const ALONE: f64 = 20.0;
 
 /// Steps after which the rest is left to single rays.
 const MOST_STEPS: usize = 5;
 
-/// One ray with its bracket.
+/// What a distance along a ray and a depth may be off by, being products of a few roundings; a hundred times too much.
+pub(crate) const SHORTENED: f64 = 1.0 - 1e-13;
+pub(crate) const LENGTHENED: f64 = 1.0 + 1e-13;
+
+/// What became of a ray.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Guess {
+pub(crate) struct Root {
     /// Which ray.
-    pub(crate) ray: u32,
+    pub(crate) ray: usize,
     /// The bracket.
     pub(crate) a: f64,
     pub(crate) b: f64,
-    /// Where the root may be.
-    pub(crate) t: f64,
-    /// The least |g'| in the bracket.
-    pub(crate) steepness: f64,
     /// Enclosures so far.
     pub(crate) cost: u32,
-}
-
-/// What became of a guess.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Root {
-    /// What was asked.
-    pub(crate) guess: Guess,
     /// The root.
     pub(crate) t: f64,
     /// How far the true one can be from it; NaN if that could not be told.
     pub(crate) width: f64,
-    /// The gradient of g beside it.
-    pub(crate) gradient: DVec3,
+    /// The unit gradient of g there, turned against the ray, and whether it had to be turned.
+    pub(crate) normal: DVec3,
+    pub(crate) flipped: bool,
 }
 
 /// Rays waiting to be a batch, a number of each in an array.
 #[derive(Debug)]
 pub(crate) struct Stream {
-    guesses: Vec<Guess>,
+    count: usize,
+    ray: [usize; POINTS],
+    cost: [u32; POINTS],
     origin: [[f64; POINTS]; 3],
     direction: [[f64; POINTS]; 3],
     a: [f64; POINTS],
     b: [f64; POINTS],
     t: [f64; POINTS],
+    steepness: [f64; POINTS],
     moved: [f64; POINTS],
     tolerance: [f64; POINTS],
+    /// The last step, the gradient where it began, and that where it ended: at first as computed, then carried on.
+    stride: [f64; POINTS],
+    here: [[f64; POINTS]; 3],
     gradient: [[f64; POINTS]; 3],
+    flipped: [f64; POINTS],
 }
 
 impl Default for Stream {
     fn default() -> Self {
         let zero = [0.0; POINTS];
         Stream {
-            guesses: Vec::with_capacity(POINTS),
+            count: 0,
+            ray: [0; POINTS],
+            cost: [0; POINTS],
             origin: [zero; 3],
             direction: [zero; 3],
             a: zero,
             b: zero,
             t: zero,
+            steepness: zero,
             moved: zero,
             tolerance: zero,
+            stride: zero,
+            here: [zero; 3],
             gradient: [zero; 3],
+            flipped: zero,
         }
     }
 }
 
-/// The register files of a stream.
-pub(crate) struct StreamFiles<'a> {
+/// What a stream computes with.
+pub(crate) struct Tools<'a> {
+    pub(crate) sheet: &'a Sheet,
+    /// Registers of the sheet's gradient at points, and of its values over pieces of rays.
     pub(crate) gradient: &'a mut [Points],
     pub(crate) cells: &'a mut [Cells],
+    /// The length that tolerances are measured by.
+    pub(crate) size: f64,
+    pub(crate) simd: Simd,
+    /// Evaluations so far.
+    pub(crate) evaluations: u64,
+    /// Enclosures so far.
+    pub(crate) enclosures: u64,
 }
 
 impl Stream {
-    /// Takes one more ray; true when the batch is full and must be run.
-    pub(crate) fn push(&mut self, guess: Guess, ray: &Ray, size: f64) -> bool {
-        let i = self.guesses.len();
-        for axis in 0..3 {
-            self.origin[axis][i] = ray.origin[axis];
-            self.direction[axis][i] = ray.direction[axis];
+    /// Takes the rays of a crossing in a rectangle `width` pixels wide.
+    pub(crate) fn take(
+        &mut self,
+        crossing: &Crossing,
+        bundle: &Bundle,
+        width: u32,
+        tools: &mut Tools,
+        found: &mut impl FnMut(&Root),
+    ) {
+        let place = crossing.place;
+        let columns = place.width as usize;
+        for row in 0..place.height {
+            if self.count + columns > POINTS {
+                self.run(tools, found);
+            }
+            let first = ((place.top + row) * width + place.left) as usize;
+            let (start, end) = (self.count, self.count + columns);
+            for axis in 0..3 {
+                self.origin[axis][start..end].copy_from_slice(&bundle.origin[axis][first..first + columns]);
+                self.direction[axis][start..end].copy_from_slice(&bundle.direction[axis][first..first + columns]);
+            }
+            guess(tools.simd, self, crossing, row, &bundle.length[first..first + columns]);
+            for i in 0..columns {
+                self.ray[start + i] = first + i;
+            }
+            self.cost[start..end].fill(crossing.cost);
+            self.count = end;
         }
-        (self.a[i], self.b[i], self.t[i]) = (guess.a, guess.b, guess.t);
-        self.tolerance[i] = CONVERGED * size.max(guess.t);
-        self.moved[i] = f64::INFINITY;
-        self.guesses.push(guess);
-        i + 1 == POINTS
     }
 
-    /// Finds the roots of all rays that wait, and says how many evaluations it took.
-    pub(crate) fn run(
-        &mut self,
-        sheet: &Sheet,
-        files: &mut StreamFiles,
-        (size, simd): (f64, Simd),
-        out: &mut Vec<Root>,
-    ) -> u64 {
-        let count = self.guesses.len();
-        if count == 0 {
-            return 0;
+    /// Finds the roots of all rays that wait.
+    pub(crate) fn run(&mut self, tools: &mut Tools, found: &mut impl FnMut(&Root)) {
+        let count = std::mem::take(&mut self.count);
+        for i in 0..POINTS {
+            self.tolerance[i] = CONVERGED * tools.size.max(self.t[i]);
+            self.moved[i] = if i < count { f64::INFINITY } else { 0.0 };
         }
-        self.moved[count..].fill(0.0);
-        let mut evaluations = 0;
         for _ in 0..MOST_STEPS {
             let live = (0..count).filter(|&i| self.moved[i] > self.tolerance[i]).count();
             if live == 0 {
                 break;
             }
-            points_at(simd, &self.origin, &self.direction, &self.t, files.gradient);
-            sheet.gradient.run(files.gradient);
-            evaluations += live as u64;
-            let [g, x, y, z] = [0, 1, 2, 3].map(|k| &sheet.gradient.output(files.gradient, k).0);
-            step(simd, self, g, [x, y, z]);
+            points_at(tools.simd, &self.origin, &self.direction, &self.t, tools.gradient);
+            tools.sheet.gradient.run(tools.gradient);
+            tools.evaluations += live as u64;
+            let [g, x, y, z] = [0, 1, 2, 3].map(|k| &tools.sheet.gradient.output(tools.gradient, k).0);
+            step(tools.simd, self, g, [x, y, z]);
         }
+        face(tools.simd, self);
         for first in (0..count).step_by(CELLS) {
-            self.certify(sheet, files, (size, simd), first, out);
+            self.certify(tools, first, count, found);
         }
-        self.guesses.clear();
-        evaluations
     }
 
     /// Encloses g where Newton's method ended.
-    fn certify(
-        &self,
-        sheet: &Sheet,
-        files: &mut StreamFiles,
-        (size, simd): (f64, Simd),
-        first: usize,
-        out: &mut Vec<Root>,
-    ) {
+    fn certify(&self, tools: &mut Tools, first: usize, count: usize, found: &mut impl FnMut(&Root)) {
         let part = |all: &[f64; POINTS]| -> [f64; CELLS] { std::array::from_fn(|k| all[first + k]) };
         let (origin, direction) =
             ([0, 1, 2].map(|k| part(&self.origin[k])), [0, 1, 2].map(|k| part(&self.direction[k])));
         let t = part(&self.t);
-        place(simd, &origin, &direction, &t, &t, files.cells);
-        sheet.value.run(files.cells);
-        let g = sheet.value.output(files.cells, 0);
-        for (k, guess) in self.guesses.iter().skip(first).take(CELLS).enumerate() {
+        place(tools.simd, &origin, &direction, &t, &t, tools.cells);
+        tools.sheet.value.run(tools.cells);
+        tools.enclosures += CELLS.min(count - first) as u64;
+        let g = tools.sheet.value.output(tools.cells, 0);
+        for k in 0..CELLS.min(count - first) {
             let i = first + k;
-            let far = g.hi[k].max(-g.lo[k]) / guess.steepness;
-            let width = WIDTH * size.max(t[k]);
+            let far = g.hi[k].max(-g.lo[k]) / self.steepness[i];
+            let width = WIDTH * tools.size.max(t[k]);
             let known = g.flags[k] & PARTIAL == 0 && far <= width && self.moved[i] <= self.tolerance[i];
-            let gradient = DVec3::new(self.gradient[0][i], self.gradient[1][i], self.gradient[2][i]);
-            out.push(Root { guess: *guess, t: t[k], width: if known { width } else { f64::NAN }, gradient });
+            found(&Root {
+                ray: self.ray[i],
+                a: self.a[i],
+                b: self.b[i],
+                cost: self.cost[i],
+                t: t[k],
+                width: if known { width } else { f64::NAN },
+                normal: DVec3::new(self.gradient[0][i], self.gradient[1][i], self.gradient[2][i]),
+                flipped: self.flipped[i] > 0.0,
+            });
         }
     }
 }
 
 for_each_level! {
-    /// One step of Newton's method in all rays that are not done.
+    /// Where the roots of a row of a crossing may be.
+    fn guess[L](stream: &mut Stream, crossing: &Crossing, row: u32, length: &[f64]) {
+        let start = stream.count;
+        let [depth, across, down] = crossing.depth;
+        let depth = depth + down * (f64::from(row) - 0.5 * f64::from(crossing.place.height - 1));
+        let middle = 0.5 * f64::from(crossing.place.width - 1);
+        let end = start + length.len();
+        let (a, b, t) = (&mut stream.a[start..end], &mut stream.b[start..end], &mut stream.t[start..end]);
+        let steepness = &mut stream.steepness[start..end];
+        for i in 0..length.len() {
+            let long = length[i];
+            a[i] = crossing.a * long * SHORTENED;
+            b[i] = crossing.b * long * LENGTHENED;
+            let likely = (depth + across * (i as f64 - middle)) * long;
+            let inside = (likely > a[i]) & (likely < b[i]);
+            t[i] = if inside { likely } else { 0.5 * (a[i] + b[i]) };
+            steepness[i] = crossing.steepness / long * SHORTENED;
+        }
+    }
+}
+
+for_each_level! {
+    /// One step of Newton's method in all rays that are not done. The gradient is carried on to where the step leads by what
+    /// it changed over the step before.
     fn step[L](stream: &mut Stream, g: &[f64; POINTS], gradient: [&[f64; POINTS]; 3]) {
-        let [x, y, z] = gradient;
         for i in 0..POINTS {
             let live = stream.moved[i] > stream.tolerance[i];
             let t = stream.t[i];
-            let [dx, dy, dz] = [stream.direction[0][i], stream.direction[1][i], stream.direction[2][i]];
-            let slope = L::fma(x[i], dx, L::fma(y[i], dy, z[i] * dz));
-            let next = (t - g[i] / slope).max(stream.a[i]).min(stream.b[i]);
+            let [x, y, z] = [0, 1, 2].map(|k| stream.direction[k][i]);
+            let slope = L::fma(gradient[0][i], x, L::fma(gradient[1][i], y, gradient[2][i] * z));
+            let newton = t - g[i] / slope;
+            let next = if newton > stream.a[i] { newton } else { stream.a[i] };
+            let next = if next < stream.b[i] { next } else { stream.b[i] };
+            let first = stream.moved[i] == f64::INFINITY;
+            let (stride, before) = (next - t, stream.stride[i]);
+            let ahead = stride / before;
+            let ahead = if !first & (ahead.abs() < 1.0) { ahead } else { 0.0 };
+            for k in 0..3 {
+                let here = gradient[k][i];
+                let carried = L::fma(here - stream.here[k][i], ahead, here);
+                stream.gradient[k][i] = if live { carried } else { stream.gradient[k][i] };
+                stream.here[k][i] = here;
+            }
             stream.t[i] = if live { next } else { t };
-            stream.moved[i] = if live { (next - t).abs() } else { stream.moved[i] };
-            stream.gradient[0][i] = if live { x[i] } else { stream.gradient[0][i] };
-            stream.gradient[1][i] = if live { y[i] } else { stream.gradient[1][i] };
-            stream.gradient[2][i] = if live { z[i] } else { stream.gradient[2][i] };
+            stream.stride[i] = stride;
+            // Nothing is known of how the gradient changes after one step alone, which must be the shorter.
+            let moved = if first { ALONE * stride.abs() } else { stride.abs() };
+            stream.moved[i] = if live { moved } else { stream.moved[i] };
+        }
+    }
+}
+
+for_each_level! {
+    /// Gradients become normals that face where the rays come from.
+    fn face[L](stream: &mut Stream) {
+        for i in 0..POINTS {
+            let [x, y, z] = [0, 1, 2].map(|k| stream.gradient[k][i]);
+            let [dx, dy, dz] = [0, 1, 2].map(|k| stream.direction[k][i]);
+            let along = L::fma(x, dx, L::fma(y, dy, z * dz));
+            let length = L::fma(x, x, L::fma(y, y, z * z)).sqrt();
+            let size = if length < f64::INFINITY { 1.0 / length } else { f64::NAN };
+            let scale = if along > 0.0 { -size } else { size };
+            stream.flipped[i] = along;
+            (stream.gradient[0][i], stream.gradient[1][i], stream.gradient[2][i]) = (x * scale, y * scale, z * scale);
         }
     }
 }

@@ -33,6 +33,9 @@ const SMALLEST: u32 = 4;
 /// A sheet that lies so much askew that it is this many half slabs thick is not followed but cut.
 const MOST_GROWTH: f64 = 6.0;
 
+/// A form whose error is more than this part of what it rises along the slab does not say where zero is.
+const BENT: f64 = 0.6;
+
 /// A slab longer than this many widths of its square is halved, a shorter one cut into squares.
 const LONG: f64 = 3.0;
 
@@ -40,16 +43,13 @@ const LONG: f64 = 3.0;
 const MARGIN: f64 = 1e-6;
 
 /// A square may take this many slabs before it is cut.
-const MOST_SLABS: u32 = 24;
+const MOST_SLABS: u32 = 12;
 
 /// A square of pixels on its way.
 #[derive(Clone, Copy, Debug, Default)]
 struct Square {
     /// From the rectangle's corner.
-    left: u32,
-    top: u32,
-    width: u32,
-    height: u32,
+    place: Rectangle,
     /// Pixels a side where nothing is cut off.
     size: u32,
     /// The slab.
@@ -70,10 +70,7 @@ struct Square {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing {
     /// Pixels of the rectangle.
-    pub(crate) left: u32,
-    pub(crate) top: u32,
-    pub(crate) width: u32,
-    pub(crate) height: u32,
+    pub(crate) place: Rectangle,
     /// The depths between which it is.
     pub(crate) a: f64,
     pub(crate) b: f64,
@@ -89,10 +86,7 @@ pub(crate) struct Crossing {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rest {
     /// Pixels of the rectangle.
-    pub(crate) left: u32,
-    pub(crate) top: u32,
-    pub(crate) width: u32,
-    pub(crate) height: u32,
+    pub(crate) place: Rectangle,
     /// The depth up to which they are settled, and how far to reach first.
     pub(crate) a: f64,
     pub(crate) step: f64,
@@ -107,6 +101,14 @@ pub(crate) struct Settled {
     pub(crate) rest: Vec<Rest>,
     /// Slabs enclosed.
     pub(crate) cells: u64,
+}
+
+impl Settled {
+    pub(crate) fn clear(&mut self) {
+        self.crossings.clear();
+        self.rest.clear();
+        self.cells = 0;
+    }
 }
 
 /// The register files of a sheet's forms.
@@ -141,27 +143,16 @@ impl Walk {
         sheet: &Sheet,
         files: &mut FormFiles,
         (screen, rectangle, simd): (&Screen, Rectangle, Simd),
-        range: impl Fn(u32, u32, u32, u32) -> Option<(f64, f64)>,
+        range: impl Fn(Rectangle) -> Option<(f64, f64)>,
         settled: &mut Settled,
     ) {
         self.open.clear();
         for top in (0..rectangle.height).step_by(LARGEST as usize) {
             for left in (0..rectangle.width).step_by(LARGEST as usize) {
                 let (width, height) = (LARGEST.min(rectangle.width - left), LARGEST.min(rectangle.height - top));
-                if let Some((a, end)) = range(left, top, width, height) {
-                    let whole = Square {
-                        left,
-                        top,
-                        width,
-                        height,
-                        size: LARGEST,
-                        a,
-                        b: end,
-                        end,
-                        fresh: true,
-                        ..Square::default()
-                    };
-                    self.open.push(whole);
+                let place = Rectangle { left, top, width, height };
+                if let Some((a, end)) = range(place) {
+                    self.open.push(Square { place, size: LARGEST, a, b: end, end, fresh: true, ..Square::default() });
                 }
             }
         }
@@ -183,8 +174,9 @@ impl Walk {
         (screen, rectangle, simd): (&Screen, Rectangle, Simd),
     ) {
         for (lane, square) in squares.iter().enumerate() {
-            let size = [square.width, square.height];
-            let [middle, half] = screen.square(rectangle.left + square.left, rectangle.top + square.top, size);
+            let Rectangle { left, top, .. } = square.place;
+            let place = Rectangle { left: rectangle.left + left, top: rectangle.top + top, ..square.place };
+            let [middle, half] = screen.square(place);
             for axis in 0..2 {
                 self.places.middle[axis][lane] = middle[axis];
                 self.places.half[axis][lane] = half[axis];
@@ -259,18 +251,17 @@ impl Walk {
     /// Four squares, or single rays.
     fn cut(&mut self, square: &Square, settled: &mut Settled) {
         if square.size <= SMALLEST {
-            let Square { left, top, width, height, a, b, cost, .. } = *square;
-            settled.rest.push(Rest { left, top, width, height, a, step: b - a, cost });
+            let Square { place, a, b, cost, .. } = *square;
+            settled.rest.push(Rest { place, a, step: b - a, cost });
             return;
         }
         let half = square.size / 2;
+        let Rectangle { left, top, width, height } = square.place;
         for (x, y) in [(0, 0), (half, 0), (0, half), (half, half)] {
-            if x < square.width && y < square.height {
+            if x < width && y < height {
+                let (width, height) = (half.min(width - x), half.min(height - y));
                 self.open.push(Square {
-                    left: square.left + x,
-                    top: square.top + y,
-                    width: half.min(square.width - x),
-                    height: half.min(square.height - y),
+                    place: Rectangle { left: left + x, top: top + y, width, height },
                     size: half,
                     slabs: 0,
                     ..*square
@@ -290,15 +281,15 @@ impl Square {
         if c.abs() > radius * (1.0 + 1e-12) || flags & NOWHERE != 0 {
             return self.pass(if smooth { c.signum() } else { 0.0 });
         }
-        if self.slabs >= MOST_SLABS {
-            return Verdict::Cut;
-        }
-        let aside = radius - along.abs() * (1.0 - 1e-12);
-        let (middle, half) = (-c / along, aside / along.abs());
-        // Written so that NaN is not smooth.
-        if smooth && half < MOST_GROWTH && middle.abs() < MOST_GROWTH + 2.0 {
+        // Written so that NaN is not known.
+        let along = along.abs();
+        let lean = g.slope[0][lane].abs() + g.slope[1][lane].abs();
+        let bent = radius - lean - along;
+        let known = smooth && along > 0.0 && self.slabs < MOST_SLABS;
+        if known && bent < BENT * along && lean < MOST_GROWTH * along {
+            let (middle, half) = (-c / g.slope[2][lane], (radius - along * (1.0 - 1e-12)) / along);
             let margin = MARGIN * (1.0 + middle.abs() + half);
-            return self.follow(-along.signum(), middle - half - margin, middle + half + margin);
+            return self.follow(-g.slope[2][lane].signum(), middle - half - margin, middle + half + margin, screen);
         }
         self.halve(screen)
     }
@@ -314,7 +305,7 @@ impl Square {
     }
 
     /// Zero can only be between `from` and `to`, in half slabs from the middle; g has the sign `front` before that.
-    fn follow(&mut self, front: f64, from: f64, to: f64) -> Verdict {
+    fn follow(&mut self, front: f64, from: f64, to: f64, screen: &Screen) -> Verdict {
         let (middle, half) = (0.5 * (self.a + self.b), 0.5 * (self.b - self.a));
         let (a, b) = (middle + from * half, middle + to * half);
         let known = from > -1.0 || self.sign == front;
@@ -327,14 +318,14 @@ impl Square {
         }
         if !known && !self.fresh {
             // There is another sheet, or the form knows less than its past.
-            return self.halved();
+            return self.halve(screen);
         }
         if !known && a > 0.0 {
             // The sheet is cut by the beginning of the rays: look at all of it.
             self.a = a;
         }
         if !known && !(a > 0.0) {
-            return self.halved();
+            return self.halve(screen);
         }
         self.b = b.max(self.a + 0.5 * half);
         Verdict::Again
@@ -347,20 +338,20 @@ impl Square {
 
     fn halve(&mut self, screen: &Screen) -> Verdict {
         let width = screen.width_at(self.size, 0.5 * (self.a + self.b));
-        if self.b - self.a > LONG * width { self.halved() } else { Verdict::Cut }
+        if self.b - self.a > LONG * width && self.slabs < 2 * MOST_SLABS { self.halved() } else { Verdict::Cut }
     }
 
     fn crossing(&self, g: &Forms, lane: usize, steepness: f64, screen: &Screen) -> Crossing {
-        let Square { left, top, width, height, a, b, cost, .. } = *self;
+        let Square { place, a, b, cost, .. } = *self;
         let half = 0.5 * (b - a);
         let per = -half / g.slope[2][lane];
         // A symbol goes from −1 to 1 over the centres of the square's pixels.
         let per_pixel = |axis: usize, count: u32| 2.0 * screen.step[axis].signum() / f64::from(count.max(2) - 1);
         let depth = [
             0.5 * (a + b) + per * g.center[lane],
-            per * g.slope[0][lane] * per_pixel(0, width),
-            per * g.slope[1][lane] * per_pixel(1, height),
+            per * g.slope[0][lane] * per_pixel(0, place.width),
+            per * g.slope[1][lane] * per_pixel(1, place.height),
         ];
-        Crossing { left, top, width, height, a, b, steepness, depth, cost }
+        Crossing { place, a, b, steepness, depth, cost }
     }
 }

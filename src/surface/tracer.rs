@@ -3,6 +3,7 @@
 //! In: surfaces and a batch of rays. Out: for each ray the first root of any surface. A [`Tracer`] belongs to
 //! one thread and keeps its working memory between batches; the more rays a batch has, the fuller its lanes.
 
+use super::bundle::{Bundle, Spans};
 use super::careful::{Careful, End};
 use super::hit::{Counts, Hit, Outcome, Ray};
 use super::isolate::{CellFiles, Found, Open, Pool, Rays};
@@ -10,9 +11,10 @@ use super::march::Marcher;
 use super::refine::{Batch, Files, Refined, points_at};
 use super::screen::{Rectangle, Screen};
 use super::sheet::{POINTS, Points, Sheet, Surface};
-use super::stream::{Guess, Root, Stream, StreamFiles};
-use super::tile::{Crossing, FormFiles, Rest, Settled, Walk};
+use super::stream::{LENGTHENED, Root, SHORTENED, Stream, Tools};
+use super::tile::{FormFiles, Rest, Settled, Walk};
 use crate::closure::pieces::Scratch;
+use crate::num::level::Simd;
 use glam::DVec3;
 
 /// How roots are looked for.
@@ -33,10 +35,6 @@ const SKIPPED: f64 = 1e-12;
 /// The end of a ray that no region ends.
 const FAR: f64 = 1e9;
 
-/// What a distance along a ray and a depth may be off by, being products of a few roundings; a hundred times too much.
-const SHORTENED: f64 = 1.0 - 1e-13;
-const LENGTHENED: f64 = 1.0 + 1e-13;
-
 /// How much of a hard ray the careful method settles before lanes take over again, as a part of the scale.
 const STRETCH: f64 = 4e-5;
 
@@ -52,6 +50,7 @@ pub struct Tracer<'a> {
     open: Vec<Open>,
     marcher: Marcher,
     tiles: Tiles,
+    bundle: Bundle,
     /// What was computed since the tracer was made.
     pub counts: Counts,
 }
@@ -62,11 +61,15 @@ struct Tiles {
     walk: Walk,
     settled: Settled,
     stream: Stream,
-    roots: Vec<Root>,
-    /// Between which distances each ray is looked at; upside down where it is not.
-    spans: Vec<(f64, f64)>,
-    /// How much longer each ray's way is than its depth.
-    lengths: Vec<f64>,
+    spans: Spans,
+}
+
+/// The rays at hand as a rectangle of a picture.
+#[derive(Clone, Copy)]
+struct View<'a> {
+    screen: &'a Screen,
+    rectangle: Rectangle,
+    bundle: &'a Bundle,
 }
 
 /// Register files of one sheet.
@@ -118,6 +121,7 @@ impl<'a> Tracer<'a> {
             open: Vec::new(),
             marcher: Marcher::new(surfaces),
             tiles: Tiles::default(),
+            bundle: Bundle::default(),
             counts: Counts::default(),
         }
     }
@@ -130,9 +134,12 @@ impl<'a> Tracer<'a> {
     }
 
     /// The same for the rays through the centres of a rectangle's pixels, row by row: many at once, where that can be.
-    pub fn trace_rectangle(&mut self, screen: &Screen, rectangle: Rectangle, rays: &[Ray], hits: &mut Vec<Hit>) {
-        debug_assert_eq!(rays.len(), (rectangle.width * rectangle.height) as usize);
-        self.run(rays, SKIPPED, Some((screen, rectangle)), hits);
+    pub fn trace_rectangle(&mut self, screen: &Screen, rectangle: Rectangle, hits: &mut Vec<Hit>) {
+        let mut bundle = std::mem::take(&mut self.bundle);
+        let simd = self.surfaces.first().map_or(Simd::Portable, |surface| surface.simd);
+        bundle.fill(screen, rectangle, simd);
+        self.run(&bundle.rays, SKIPPED, Some(View { screen, rectangle, bundle: &bundle }), hits);
+        self.bundle = bundle;
     }
 
     /// The same for rays that start beside a surface, at [`Hit::near`]: nothing is skipped.
@@ -140,7 +147,7 @@ impl<'a> Tracer<'a> {
         self.run(rays, 0.0, None, hits);
     }
 
-    fn run(&mut self, rays: &[Ray], skipped: f64, view: Option<(&Screen, Rectangle)>, hits: &mut Vec<Hit>) {
+    fn run(&mut self, rays: &[Ray], skipped: f64, view: Option<View>, hits: &mut Vec<Hit>) {
         hits.clear();
         hits.resize(rays.len(), Hit::NONE);
         self.counts.rays += rays.len() as u64;
@@ -161,7 +168,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// One sheet of one surface, for all rays.
-    fn sheet(&mut self, index: usize, k: usize, skipped: f64, view: Option<(&Screen, Rectangle)>, job: &mut Job) {
+    fn sheet(&mut self, index: usize, k: usize, skipped: f64, view: Option<View>, job: &mut Job) {
         let surface = &self.surfaces[index];
         self.open.clear();
         match view {
@@ -208,82 +215,53 @@ impl<'a> Tracer<'a> {
         index: usize,
         k: usize,
         skipped: f64,
-        (screen, rectangle): (&Screen, Rectangle),
+        View { screen, rectangle, bundle }: View,
         job: &mut Job,
     ) {
-        let (sheet, size) = (&surface.sheets[k], surface.size);
-        let Tiles { walk, settled, stream, roots, spans, lengths } = &mut self.tiles;
-        spans.clear();
-        spans.extend(job.rays.iter().zip(&*job.hits).map(|(ray, hit)| match surface.span(ray) {
-            Some((t0, t1)) => (t0.max(skipped * size), t1.min(hit.t).min(FAR)),
-            None => (f64::INFINITY, f64::NEG_INFINITY),
-        }));
-        lengths.clear();
-        lengths.extend(job.rays.iter().map(|ray| screen.length_of(ray.direction)));
-        let pixels = |left: u32, top: u32, width: u32, height: u32| {
-            (top..top + height).flat_map(move |j| (left..left + width).map(move |i| (j * rectangle.width + i) as usize))
-        };
-        let range = |left: u32, top: u32, width: u32, height: u32| {
-            let (mut a, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
-            for i in pixels(left, top, width, height) {
-                if spans[i].0 <= spans[i].1 {
-                    a = a.min(spans[i].0 / lengths[i]);
-                    end = end.max(spans[i].1 / lengths[i]);
-                }
-            }
-            (a <= end).then_some((a * SHORTENED, end * LENGTHENED))
-        };
-        settled.crossings.clear();
-        settled.rest.clear();
-        settled.cells = 0;
+        let (sheet, size, simd) = (&surface.sheets[k], surface.size, surface.simd);
+        let Tiles { walk, settled, stream, spans } = &mut self.tiles;
+        spans.fill(bundle, &surface.shapes, skipped * size, simd);
+        for (far, hit) in spans.far.iter_mut().zip(&*job.hits) {
+            *far = far.min(hit.t).min(FAR);
+        }
         let memory = &mut self.files[index][k];
-        walk.run(sheet, &mut memory.forms, (screen, rectangle, surface.simd), range, settled);
+        settled.clear();
+        walk.run(
+            sheet,
+            &mut memory.forms,
+            (screen, rectangle, simd),
+            |square| depths(bundle, spans, square.numbers(rectangle.width)),
+            settled,
+        );
         self.counts.cells += settled.cells;
-        let mut files = StreamFiles { gradient: &mut memory.gradient, cells: &mut memory.cells.value };
-        let settings = (size, surface.simd);
-        roots.clear();
-        let mut gradients = 0;
+        let (gradient, cells) = (&mut memory.gradient, &mut memory.cells.value);
+        let mut tools = Tools { sheet, gradient, cells, size, simd, evaluations: 0, enclosures: 0 };
+        let open = &mut self.open;
+        let mut found = |root: &Root| {
+            let (t0, t1) = (spans.near[root.ray], spans.far[root.ray]);
+            let (ray, a) = (root.ray as u32, root.a.max(t0));
+            let again = Open { ray, a, end: t1, step: root.b - root.a, slabs: root.cost };
+            match root.t {
+                _ if !(t0 <= t1) || a > t1 => {}
+                _ if root.width.is_nan() => open.push(again),
+                t if t < t0 => open.extend((root.b < t1).then_some(Open { a: root.b.max(t0), ..again })),
+                t if t <= t1 => {
+                    job.settle(again, Outcome::Hit, t, root.width);
+                    let hit = &mut job.hits[root.ray];
+                    (hit.normal, hit.flipped) = (root.normal, root.flipped);
+                }
+                _ => job.hits[root.ray].cost += root.cost,
+            }
+        };
         for crossing in &settled.crossings {
-            let Crossing { left, top, width, height, a, b, steepness, depth, cost } = *crossing;
-            let (x, y) = (0.5 * f64::from(width - 1), 0.5 * f64::from(height - 1));
-            for (n, i) in pixels(left, top, width, height).enumerate() {
-                let (t0, t1) = spans[i];
-                let long = lengths[i];
-                let (a, b) = (a * long * SHORTENED, b * long * LENGTHENED);
-                if !(t0 <= t1) || a > t1 {
-                    continue;
-                }
-                let (dx, dy) = (f64::from(n as u32 % width) - x, f64::from(n as u32 / width) - y);
-                let t = (depth[0] + dx * depth[1] + dy * depth[2]) * long;
-                let t = if t > a && t < b { t } else { 0.5 * (a + b) };
-                let guess = Guess { ray: i as u32, a, b, t, steepness: steepness / long * SHORTENED, cost };
-                if stream.push(guess, &job.rays[i], size) {
-                    gradients += stream.run(sheet, &mut files, settings, roots);
-                }
-            }
+            stream.take(crossing, bundle, rectangle.width, &mut tools, &mut found);
         }
-        gradients += stream.run(sheet, &mut files, settings, roots);
-        self.counts.gradients += gradients;
-        self.counts.cells += roots.len() as u64;
-        for root in roots.iter() {
-            let Guess { ray, a, b, cost, .. } = root.guess;
-            let (t0, t1) = spans[ray as usize];
-            let open = Open { ray, a: a.max(t0), end: t1, step: b - a, slabs: cost };
-            if root.width.is_nan() {
-                self.open.push(open);
-            } else if root.t < t0 {
-                self.open.extend((b < t1).then_some(Open { a: b.max(t0), ..open }));
-            } else if root.t <= t1 {
-                job.settle(open, Outcome::Hit, root.t, root.width);
-                job.turn(ray, root.gradient);
-            } else {
-                job.hits[ray as usize].cost += cost;
-            }
-        }
-        for rest in &settled.rest {
-            let Rest { left, top, width, height, a, step, cost } = *rest;
-            for i in pixels(left, top, width, height) {
-                let ((t0, t1), long) = (spans[i], lengths[i]);
+        stream.run(&mut tools, &mut found);
+        self.counts.gradients += tools.evaluations;
+        self.counts.cells += tools.enclosures;
+        for &Rest { place, a, step, cost } in &settled.rest {
+            for i in place.numbers(rectangle.width) {
+                let (t0, t1, long) = (spans.near[i], spans.far[i], bundle.length[i]);
                 let a = t0.max(a * long * SHORTENED);
                 if a <= t1 {
                     self.open.push(Open { ray: i as u32, a, end: t1, step: step * long, slabs: cost });
@@ -395,6 +373,18 @@ impl<'a> Tracer<'a> {
             }
         }
     }
+}
+
+/// Between which depths any of these rays is looked at.
+fn depths(bundle: &Bundle, spans: &Spans, rays: impl Iterator<Item = usize>) -> Option<(f64, f64)> {
+    let (mut a, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
+    for i in rays {
+        if spans.near[i] <= spans.far[i] {
+            a = a.min(spans.near[i] / bundle.length[i]);
+            end = end.max(spans.far[i] / bundle.length[i]);
+        }
+    }
+    (a <= end).then_some((a * SHORTENED, end * LENGTHENED))
 }
 
 /// How far in front of a touch its normal is taken, as a part of the scale.

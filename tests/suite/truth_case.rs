@@ -118,7 +118,7 @@ impl Case {
             let rays: Vec<_> = pixels.iter().map(ray).collect();
             match way {
                 Way::Rays => tracer.trace(&rays, &mut hits),
-                Way::Squares => tracer.trace_rectangle(&camera.screen(width, height), rectangle, &rays, &mut hits),
+                Way::Squares => tracer.trace_rectangle(&camera.screen(width, height), rectangle, &mut hits),
             }
             for (&(i, j), hit) in pixels.iter().zip(&hits) {
                 all[(j * width + i) as usize] = *hit;

@@ -7,9 +7,10 @@
 //! Only for equations. The boundary of a solid is where its function changes sign: nothing may be rewritten.
 //!
 //! - [`fraction`]: sums of quotients over one denominator. - [`removable`]: where numerator and denominator vanish
-//!   together. - [`centre`]: polynomials about the place where they lie.
+//!   together. - [`centre`]: polynomials about the place where they lie. - [`exponentials`]: e^(2u) as (e^u)².
 
 mod centre;
+mod exponentials;
 mod fraction;
 mod removable;
 #[cfg(test)]
@@ -255,13 +256,15 @@ impl Search<'_> {
 
     /// An expanded polynomial with a repeated factor, as the product of its square-free factors.
     fn repeated_factors(&mut self, sheet: &Sheet) -> Rewritten {
-        if !matches!(self.graph.op(sheet.g), Op::Add | Op::Sub)
-            || !modular::may_have_repeated_factor(self.graph, sheet.g)
-        {
+        if !matches!(self.graph.op(sheet.g), Op::Add | Op::Sub) {
+            return None;
+        }
+        let g = exponentials::as_powers(self.graph, sheet.g).unwrap_or(sheet.g);
+        if !modular::may_have_repeated_factor(self.graph, g) {
             return None;
         }
         let mut letters = Letters::default();
-        let (p, _) = expand::expanded(self.graph, sheet.g, &mut letters)?;
+        let (p, _) = expand::expanded(self.graph, g, &mut letters)?;
         let factors = divisor::square_free_factors(&p)?;
         if factors.iter().all(|(_, n)| *n == 1) {
             return None;

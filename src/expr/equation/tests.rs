@@ -21,6 +21,10 @@ const ROWS: &[(&str, &str)] = &[
     ("1/(x^2+y^2+z^2)+1/((x-1)^2+y^2+z^2)-4", "1/(x^2+y^2+z^2)+1/((x-1)^2+y^2+z^2)-4"),
     ("z-sqrt(1-x^2-y^2)", "z-sqrt(1-x^2-y^2)"),
     ("z-1/x^2", "z-1/x^2"),
+    // Polynomials in exponentials.
+    ("exp(x)^2-2*z*exp(x)+z^2", "exp(x)-z"),
+    ("exp(2*x)-2*exp(x)+1", "x"),
+    ("exp(4*y)+2*x*exp(2*y)+x^2", "exp(2*y)+x"),
     // Far from the origin.
     ("x^2-200000*x+9999999999+y^2+z^2", "(x-100000)^2+y^2+z^2-1"),
     ("x^2+y^2-2*1e6*y+z^2+1e12-4", "x^2+(y-1000000)^2+z^2-4"),

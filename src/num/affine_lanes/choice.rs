@@ -3,8 +3,8 @@
 //! In: forms. Out: where the choice is decided over the whole cell, a copy of the chosen one; else the hull. Separate from
 //! the arithmetic because the copies are exact, which is what makes forms of minima and maxima good.
 
-use super::{AffineLanes, SYMBOLS, repair, repair_pairs};
-use crate::num::interval_lanes::{IntervalLanes, JUMP, NOWHERE, PARTIAL};
+use super::{AffineLanes, SYMBOLS, repair};
+use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::Level;
 use crate::num::mask::{Mask, any, join, word};
 use crate::num::number::Number;
@@ -37,7 +37,7 @@ pub(super) fn abs<L: Level, const N: usize>(a: &AffineLanes<N>, out: &mut Affine
     pick(&negative, &turned, a, out);
     out.flags = a.flags;
     if any(&open) {
-        repair(a, out, &open, IntervalLanes::abs::<L>);
+        repair!(open, out, abs::<L>(a));
     }
 }
 
@@ -45,7 +45,7 @@ pub(super) fn abs<L: Level, const N: usize>(a: &AffineLanes<N>, out: &mut Affine
 pub(super) fn min<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &mut AffineLanes<N>) {
     let open = smaller(a, b, out);
     if any(&open) {
-        repair_pairs(a, b, out, &open, IntervalLanes::min::<L>);
+        repair!(open, out, min::<L>(a, b));
     }
 }
 
@@ -58,7 +58,7 @@ pub(super) fn max<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<
     let open = smaller(&c, &d, &mut smaller_one);
     super::arithmetic::neg(&smaller_one, out);
     if any(&open) {
-        repair_pairs(a, b, out, &open, IntervalLanes::max::<L>);
+        repair!(open, out, max::<L>(a, b));
     }
 }
 
@@ -99,8 +99,6 @@ pub(super) fn choose<L: Level, const N: usize>(
         open[i] |= word(c.flags[i] & NOWHERE != 0);
     }
     if any(&open) {
-        let mut result = IntervalLanes::default();
-        IntervalLanes::choose::<L>(&c.to_intervals(), &a.to_intervals(), &b.to_intervals(), &mut result);
-        out.take(&result, &open);
+        repair!(open, out, choose::<L>(c, a, b));
     }
 }

@@ -4,10 +4,9 @@
 //! the centre where the rest has one sign. Where the range is too wide for that, or leaves the domain, intervals answer.
 //! Separate from sums and products because each function has a bound of its own.
 
-use super::{AffineLanes, ROUNDING, SYMBOLS, TINY, arithmetic, repair, repair_pairs};
+use super::{AffineLanes, ROUNDING, SYMBOLS, TINY, arithmetic, repair};
 use crate::num::func;
 use crate::num::func::trigonometric::{self, REDUCIBLE};
-use crate::num::interval_lanes::IntervalLanes;
 use crate::num::level::Level;
 use crate::num::mask::{Mask, any, word};
 use crate::num::number::Number;
@@ -56,7 +55,7 @@ macro_rules! tangents {
         pub(super) fn $name<L: Level, const N: usize>(a: &AffineLanes<N>, out: &mut AffineLanes<N>) {
             let odd = along(a, out, |$m, $r| $tangent);
             if any(&odd) {
-                repair(a, out, &odd, IntervalLanes::$name::<L>);
+                repair!(odd, out, $name::<L>(a));
             }
         }
     )* };
@@ -192,8 +191,8 @@ pub(super) fn sin_cos<L: Level, const N: usize>(
     sin.flags = a.flags;
     cos.flags = a.flags;
     if any(&odd) {
-        repair(a, sin, &odd, IntervalLanes::sin::<L>);
-        repair(a, cos, &odd, IntervalLanes::cos::<L>);
+        repair!(odd, sin, sin::<L>(a));
+        repair!(odd, cos, cos::<L>(a));
     }
 }
 
@@ -219,7 +218,7 @@ const FEW_FACTORS: u64 = 16;
 pub(super) fn power<L: Level, const N: usize>(a: &AffineLanes<N>, n: i64, out: &mut AffineLanes<N>) {
     let count = n.unsigned_abs();
     if count == 0 || count > FEW_FACTORS {
-        repair(a, out, &[u64::MAX; N], |a, out| IntervalLanes::power::<L>(a, n, out));
+        repair!([u64::MAX; N], out, power::<L>(a; n));
         return;
     }
     let mut odd = [0; N];
@@ -250,7 +249,7 @@ pub(super) fn power<L: Level, const N: usize>(a: &AffineLanes<N>, n: i64, out: &
     *out = value.unwrap_or(square);
     out.flags = a.flags;
     if any(&odd) {
-        repair(a, out, &odd, |a, out| IntervalLanes::power::<L>(a, n, out));
+        repair!(odd, out, power::<L>(a; n));
     }
 }
 
@@ -269,7 +268,7 @@ pub(super) fn root<L: Level, const N: usize>(a: &AffineLanes<N>, n: u32, out: &m
         Tangent { value, slope, least, most, size: value.abs(), holds: (l > 0.0) & (l > 0.1 * m.abs()) }
     });
     if any(&odd) {
-        repair(a, out, &odd, |a, out| IntervalLanes::root::<L>(a, n, out));
+        repair!(odd, out, root::<L>(a; n));
     }
 }
 
@@ -281,7 +280,7 @@ pub(super) fn pow<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<
         odd[i] = word(!(a.bounds(i).0 > 0.0));
     }
     if odd.iter().all(|&lane| lane != 0) {
-        repair_pairs(a, b, out, &odd, IntervalLanes::pow::<L>);
+        repair!(odd, out, pow::<L>(a, b));
         return;
     }
     let (mut logarithm, mut product) = (*a, *a);
@@ -289,6 +288,6 @@ pub(super) fn pow<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<
     arithmetic::mul(&logarithm, b, &mut product);
     exp::<L, N>(&product, out);
     if any(&odd) {
-        repair_pairs(a, b, out, &odd, IntervalLanes::pow::<L>);
+        repair!(odd, out, pow::<L>(a, b));
     }
 }
