@@ -86,17 +86,17 @@ for_each_level! {
             }};
         }
         macro_rules! binary {
-            ($step:expr, $method:ident) => {{
+            ($step:expr, $method:ident $(, $extra:expr)?) => {{
                 let (a, b, out) = ($step.args[0] as usize, $step.args[1] as usize, $step.out as usize);
                 if a == b {
                     Box::new(move |r: &mut [T]| {
                         let [a, out] = r.get_disjoint_mut([a, out]).expect(DISTINCT);
-                        T::$method::<L>(a, a, out);
+                        T::$method::<L>(a, a, $($extra,)? out);
                     })
                 } else {
                     Box::new(move |r: &mut [T]| {
                         let [a, b, out] = r.get_disjoint_mut([a, b, out]).expect(DISTINCT);
-                        T::$method::<L>(a, b, out);
+                        T::$method::<L>(a, b, $($extra,)? out);
                     })
                 }
             }};
@@ -145,6 +145,7 @@ for_each_level! {
                 Op::Sub => binary!(step, sub),
                 Op::Mul => binary!(step, mul),
                 Op::Div => binary!(step, div),
+                Op::FloorDiv(n) => binary!(step, floor_div, n),
                 Op::Min => binary!(step, min),
                 Op::Max => binary!(step, max),
                 Op::Pow => binary!(step, pow),

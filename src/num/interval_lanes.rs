@@ -134,6 +134,11 @@ impl<const N: usize> Number for IntervalLanes<N> {
     }
 
     #[inline(always)]
+    fn floor_div<L: Level>(a: &Self, b: &Self, n: i64, out: &mut Self) {
+        arithmetic::floor_div::<L, N>(a, b, n, out);
+    }
+
+    #[inline(always)]
     fn root<L: Level>(a: &Self, n: u32, out: &mut Self) {
         elementary::root::<L, N>(a, n, out);
     }

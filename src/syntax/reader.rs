@@ -263,7 +263,7 @@ impl<'p> Reader<'p> {
                 .help(format!("write `{known}`"));
         }
         if super::functions::is_not_yet(name) {
-            return Diagnostic::error(span, format!("the function `{shown}` is not built yet"));
+            return not_yet(name, span);
         }
         if let Some(here) = super::functions::elsewhere(name) {
             let error = Diagnostic::error(span, format!("unknown function `{shown}`"));
@@ -316,4 +316,10 @@ impl<'p> Reader<'p> {
         }
         (parts.len() > 1).then(|| parts.join("*"))
     }
+}
+
+/// The error for a known function that the language does not have yet, called or defined.
+pub(super) fn not_yet(name: &str, span: Span) -> Diagnostic {
+    let error = Diagnostic::error(span, format!("the function `{name}` is not built yet"));
+    error.help("give a function of your own another name")
 }

@@ -164,6 +164,9 @@ impl Reader<'_> {
     }
 
     fn function(&mut self, outline: &Outline<'_>, name: Name, span: Span) -> StatementKind {
+        if super::functions::is_not_yet(&name.text) {
+            self.error(super::reader::not_yet(&name.text, name.span));
+        }
         let mut parameters: Vec<Name> = Vec::new();
         for &word in outline.head.parameters.iter().take(MAX_PARAMETERS) {
             let text = self.name(word).to_owned();

@@ -2,8 +2,8 @@
 """Writes tests/data/language-values.tsv: typed programs with the value of their first surface's function at a point.
 
 Needs mpmath. Each row below is `program => value`: the left is text of the language, the right says in Python, fully
-bracketed and without any rule of the language, what it must mean. `[Q]` or `[R]` in front picks the second or
-third point instead of the first. The values are worked out at 50 digits and written with 20.
+bracketed and without any rule of the language, what it must mean. `[Q]`, `[R]`, `[S]` in front pick another
+point than the first. The values are worked out at 50 digits and written with 20.
 
     python tests/tools/language_values.py > tests/data/language-values.tsv
 """
@@ -13,7 +13,7 @@ from mpmath import mp, mpf
 
 mp.dps = 50
 
-POINTS = {"P": ("0.75", "-1.25", "0.375"), "Q": ("-1.5", "0.25", "2"), "R": ("0", "0", "0")}
+POINTS = {"P": ("0.75", "-1.25", "0.375"), "Q": ("-1.5", "0.25", "2"), "R": ("0", "0", "0"), "S": ("0.1", "-2", "3")}
 
 ROWS = r"""
 # numbers and constants
@@ -165,6 +165,37 @@ x^2^-1 => sqrt(x)
 sqrt(x)^2 => x
 [Q] x^(1/3)^3 => nan
 [Q] (x^(1/3))^3 => x
+# an exponent with a coordinate in it keeps its domain when it folds to a constant
+z^(x-x) => 1
+y^(x-x) => nan
+[R] z^(x-x) => nan
+[R] x^(x-x+1) => 0
+y^(x-x+2) => nan
+y^(0x+1/3) => nan
+y^(1+1) => y**2
+y^(3-1) => y**2
+w = x-x+2; y^w => nan
+w = 4/2; y^w => y**2
+f(n) = y^n; f(2) => y**2
+f(n) = y^n; f(2+x-x) => nan
+f(u) = u + 0x; y^f(2) => nan
+sum(k = 1..2, y^k) => y+y**2
+sum(k in [x-x+1], y^k) => nan
+y^if(x < 0, 2, 2) => nan
+y^(p.x-x+2) => nan
+# floor and remainder of a quotient that rounds to a whole number
+[S] 2 % x => 2-x*19
+[S] mod(2,x) => 2-x*19
+[S] floor(2/x) => 19
+[S] mod(-2,x) => -2+x*20
+[S] mod(y,x) => -2+x*20
+[S] z % x => z-29*x
+[S] floor(z/x) => 29
+[S] mod(y,-x) => y+19*x
+[S] z % 0.1 => 3-30*(mpf(1)/10)
+[S] mod(x*30, x) => x*30-x*30
+[S] floor(x/3) => 0
+mod(3x, y) => 3*x-y*fl(3*x/y)
 # implicit multiplication
 2x => 2*x
 3(x+1) => 3*(x+1)
@@ -514,7 +545,8 @@ def main():
         point = "P"
         if program.startswith("["):
             point, program = program[1], program[4:]
-        x, y, z = (mpf(c) for c in POINTS[point])
+        # A coordinate is the f64 nearest to what is written.
+        x, y, z = (mpf(float(c)) for c in POINTS[point])
         value = eval(meaning, {**NAMES, "x": x, "y": y, "z": z})
         print(program, " ".join(POINTS[point]), written(value), sep="\t")
 

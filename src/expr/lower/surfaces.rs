@@ -174,7 +174,7 @@ impl<'a> Lowerer<'a> {
         let (text, span) = (cut(&name.text), name.span);
         let Some((parameters, body)) = self.graph_of_function(only) else { return };
         let coordinates = self.coordinates(span);
-        let values = coordinates[..parameters.len()].iter().map(|&id| Value::Number(id)).collect();
+        let values = coordinates[..parameters.len()].iter().map(|&id| (Value::Number(id), true)).collect();
         let Ok(value) = self.applied(only, values, span) else { return };
         let (f, kind, equation) = match (value, parameters.len()) {
             (Value::Region(region), _) => (region.side, Kind::Solid, text),

@@ -126,6 +126,8 @@ fn unknown_names_are_met_with_near_ones() {
         ("pix", (1, 1), "unknown name `pix`", "pi"),
         ("thetax", (1, 1), "unknown name `thetax`", "theta"),
         ("gamma(x)", (1, 1), "`gamma` is not built yet", ""),
+        ("gamma(x) = z", (1, 1), "`gamma` is not built yet", "another name"),
+        ("z = besselj(x); besselj(u) = 2u", (1, 17), "`besselj` is not built yet", ""),
         ("besselj(0, x)", (1, 1), "`besselj` is not built yet", ""),
         ("arcsin(x)", (1, 1), "unknown function `arcsin`", "`asin`"),
         ("pow(x, 2)", (1, 1), "unknown function `pow`", "`a^b`"),
