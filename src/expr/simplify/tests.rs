@@ -167,6 +167,20 @@ fn what_people_write_becomes_one_form() {
         |g, [x, ..]| g.intern(Op::Power(729), &[x]),
     );
     check(
+        "min(x - 1, 1 - x) is -|x - 1|",
+        |g, [x, ..]| {
+            let one = g.integer(1);
+            let (a, b) = (node!(g, Op::Sub, x, one), node!(g, Op::Sub, one, x));
+            node!(g, Op::Min, a, b)
+        },
+        |g, [x, ..]| {
+            let one = g.integer(1);
+            let a = node!(g, Op::Sub, x, one);
+            let size = node!(g, Op::Abs, a);
+            g.intern(Op::Neg, &[size])
+        },
+    );
+    check(
         "floor(x/y) is one operation",
         |g, [x, y, _]| {
             let quotient = node!(g, Op::Div, x, y);
