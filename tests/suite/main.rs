@@ -8,6 +8,8 @@ mod cli;
 mod closures;
 mod command;
 mod grammar;
+mod hostile;
+
 mod long_texts;
 mod npy;
 mod pictures;
