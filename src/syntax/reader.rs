@@ -287,6 +287,9 @@ impl<'p> Reader<'p> {
         if !digits.is_empty() && matches!(self.meaning(letters), Meaning::Value) {
             return format!("write `{letters}^{digits}` or `{letters}*{digits}`");
         }
+        if let Some(application) = self.application(name).filter(|_| !called) {
+            return format!("write `{application}`");
+        }
         let scope = self.scope.iter().map(String::as_str);
         let near = nearest(name, scope.chain(self.names.known()).take(MAX_COMPARED));
         if !near.is_empty() && name.chars().count() > 1 {
@@ -300,12 +303,50 @@ impl<'p> Reader<'p> {
         match self.segments(name) {
             Some(product) if !called => format!("write `{product}` if a product is meant, or define it: `{name} = 1`"),
             _ if called => format!("define it: `{name}(u) = u^2`"),
+            _ if let Some((letter, product)) = self.undefined_letter(name) => {
+                format!("`{letter}` is not defined; with `{letter} = 1` it is read as `{product}`")
+            }
             _ => format!("define it: `{name} = 1`"),
+        }
+    }
+
+    /// `sinx` as `sin x`: a function that takes one argument, and what can be one.
+    fn application(&self, name: &str) -> Option<String> {
+        let ends = (1..name.len()).rev().filter(|&end| name.is_char_boundary(end));
+        ends.map(|end| name.split_at(end)).find_map(|(function, argument)| {
+            let applies = match self.meaning(function) {
+                Meaning::Builtin(function) => function.applies_bare(),
+                Meaning::Function(count) => count == 1 && function.len() > 1,
+                Meaning::Value | Meaning::Unknown => false,
+            };
+            let letters = argument != "e" && argument.bytes().all(|b| b.is_ascii_alphabetic());
+            let splits = letters && self.segments_of(argument).is_some();
+            (applies && splits).then(|| format!("{function} {argument}"))
+        })
+    }
+
+    /// The only letter that keeps a short name from being a product, and the product.
+    fn undefined_letter<'n>(&self, name: &'n str) -> Option<(&'n str, String)> {
+        /// Longer names are words, not products.
+        const MAX_PRODUCT: usize = 4;
+        if name.len() > MAX_PRODUCT || !name.bytes().all(|b| b.is_ascii_alphabetic()) {
+            return None;
+        }
+        let letters: Vec<&str> = (0..name.len()).map(|i| &name[i..=i]).collect();
+        let mut unknown: Vec<&str> = letters.iter().copied().filter(|letter| !self.names.splits(letter)).collect();
+        unknown.dedup();
+        match unknown[..] {
+            [letter] if letters.len() > 1 => Some((letter, letters.join("*"))),
+            _ => None,
         }
     }
 
     /// A name as a product of known names, the longest first at each place.
     fn segments(&self, name: &str) -> Option<String> {
+        self.segments_of(name).filter(|parts| parts.len() > 1).map(|parts| parts.join("*"))
+    }
+
+    fn segments_of<'n>(&self, name: &'n str) -> Option<Vec<&'n str>> {
         let mut parts: Vec<&str> = Vec::new();
         let mut rest = name;
         while !rest.is_empty() && name.is_ascii() {
@@ -314,7 +355,7 @@ impl<'p> Reader<'p> {
             parts.push(&rest[..length]);
             rest = &rest[length..];
         }
-        (parts.len() > 1).then(|| parts.join("*"))
+        Some(parts)
     }
 }
 

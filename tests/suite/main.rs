@@ -9,6 +9,7 @@ mod closures;
 mod command;
 mod grammar;
 mod hostile;
+mod language;
 
 mod long_texts;
 mod npy;
