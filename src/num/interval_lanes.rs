@@ -87,7 +87,8 @@ macro_rules! by_arrays {
 impl<const N: usize> Number for IntervalLanes<N> {
     #[inline(always)]
     fn constant(value: Constant) -> Self {
-        Self::splat(Enclosure::total(value.range))
+        let nothing = value.range.is_empty();
+        Self::splat(if nothing { Enclosure::NOWHERE } else { Enclosure::total(value.range) })
     }
 
     by_arrays! {
