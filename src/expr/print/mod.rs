@@ -231,8 +231,8 @@ fn text_form(graph: &Graph, id: NodeId) -> Form {
         }
         Op::Power(n) => (Binding::Power, vec![Piece::Node(a, Binding::Atom), Owned(format!("^{n}"))]),
         Op::Pow => {
-            // A constant exponent must not be read as one "written as" a whole number or a fraction.
-            let front = if graph.constant(b).is_some() { "^(0 + " } else { "^(" };
+            // A constant exponent must be read as one that varies, not as a whole number or a fraction.
+            let front = if graph.constant(b).is_some() { "^(0*x + " } else { "^(" };
             (Binding::Power, vec![Piece::Node(a, Binding::Atom), Text(front), Free(b), Text(")")])
         }
         Op::Root(n) if n != 3 => (Binding::Atom, vec![Owned(format!("root({n}, ")), Free(a), Text(")")]),

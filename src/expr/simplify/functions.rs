@@ -144,9 +144,15 @@ fn floor_of_fraction(graph: &mut Graph, a: NodeId) -> Option<NodeId> {
     if p == 0 || p.abs() > MOST_FACTOR {
         return None;
     }
-    let u = graph.scaled(&Rational::from_integer(p.signum()), u, false);
+    // A whole factor that the numerator takes into itself, as in 2*(1/x) = 2/x, is none in front.
+    let numerator = graph.scaled(&Rational::from_integer(p), u, false);
+    let (factor, inner, _) = graph.coefficient(numerator);
+    let (n, u) = match factor.to_i64() {
+        Some(n) if inner == u => (n.abs(), graph.scaled(&Rational::from_integer(n.signum()), u, false)),
+        _ => (1, numerator),
+    };
     let v = graph.scaled(&Rational::from_integer(q), v, false);
-    Some(graph.intern(Op::FloorDiv(p.abs()), &[u, v]))
+    Some(graph.intern(Op::FloorDiv(n), &[u, v]))
 }
 
 /// Whether a product with it has no rounding error.
