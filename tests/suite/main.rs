@@ -7,10 +7,10 @@
 mod cli;
 mod closures;
 mod command;
+mod formulas;
 mod grammar;
 mod hostile;
 mod language;
-
 mod long_texts;
 mod npy;
 mod pictures;
