@@ -4,7 +4,11 @@
 //! parser and of lowering because what is judged here is what a command does with the whole.
 
 use crate::command::{Folder, Said};
+use glam::DVec3;
+use implicit::closure::Formula;
 use implicit::diag::Severity;
+use implicit::num::interval::{Defined, Interval};
+use implicit::num::level::Simd;
 use implicit::session::Program;
 use serde_json::Value;
 
@@ -98,6 +102,36 @@ fn words_of_attributes_are_names_elsewhere() {
         let out = String::from_utf8(said.out).unwrap();
         assert!(out.starts_with(answer), "{program}: {out}{}", said.err);
     }
+}
+
+/// Some forty operations, each good to a few units in the last place.
+const TOLERANCE: f64 = 1e-12;
+
+#[test]
+fn closures_give_the_values_of_the_table_and_enclosures_hold_them() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/language-values.tsv");
+    let table = std::fs::read_to_string(path).unwrap();
+    let (mut rows, mut wrong) = (0, Vec::new());
+    for line in table.lines().filter(|line| !line.starts_with('#')) {
+        let [text, point, expected] = line.split('\t').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        let point: Vec<f64> = point.split(' ').map(|number| number.parse().unwrap()).collect();
+        let expected: f64 = expected.parse().unwrap();
+        let mut program = Program::from_text(text);
+        let f = program.lowered.surfaces[0].f;
+        let formula = Formula::new(&mut program.lowered.graph, f, Simd::best());
+        let found = formula.value(DVec3::from_slice(&point));
+        let over = formula.enclosure([0, 1, 2].map(|k| Interval::point(point[k])));
+        let near = (found - expected).abs() <= TOLERANCE * expected.abs().max(1.0);
+        let slack = expected.abs() * f64::EPSILON;
+        let holds = over.range.lo <= expected + slack && expected - slack <= over.range.hi;
+        let nothing = found.is_nan() && expected.is_nan() && over.defined != Defined::Everywhere;
+        rows += 1;
+        if !(near && holds || nothing) {
+            wrong.push(format!("{text} at {point:?}: {expected}, found {found} in {over:?}"));
+        }
+    }
+    assert!(rows >= 700, "{rows} rows");
+    assert!(wrong.is_empty(), "{} of {rows}:\n{}", wrong.len(), wrong.join("\n"));
 }
 
 /// What is said about a program: texts of its notes, or those of its errors.
