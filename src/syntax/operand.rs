@@ -166,7 +166,8 @@ impl Reader<'_> {
             Diagnostic::error(Span::new(open.span.source, from, from + 2), "`||` is not an operator here")
                 .help("write `or`")
         } else {
-            Diagnostic::error(open.span, "this bar has no partner").help("write `abs()` instead of bars")
+            Diagnostic::error(open.span, "this bar has no partner")
+                .help("bars stand on both sides, `|x|`; or write `abs(x)`")
         };
         self.stop(error)
     }

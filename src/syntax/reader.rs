@@ -259,8 +259,14 @@ impl<'p> Reader<'p> {
     fn unknown_name(&self, name: &str, span: Span, called: bool) -> Diagnostic {
         let shown = printable(name, super::lexer::MAX_NAME);
         if let Some(known) = self.same_but_for_case(name) {
-            return Diagnostic::error(span, format!("unknown name `{shown}`: upper and lower case differ"))
-                .help(format!("write `{known}`"));
+            return Diagnostic::error(span, format!("unknown name `{shown}`: upper and lower case differ")).help(
+                match name.len() {
+                    1 if !names::COORDINATES.contains(&known.as_str()) => {
+                        format!("write `{known}`, or define it: `{name} = 1`")
+                    }
+                    _ => format!("write `{known}`"),
+                },
+            );
         }
         if super::functions::is_not_yet(name) {
             return not_yet(name, span);

@@ -167,6 +167,7 @@ fn includes_stay_in_their_folder_and_end() {
     folder.write("in/up.imp", "include \"../outside.imp\"");
     folder.write("in/root.imp", "include \"/etc/hostname\"");
     folder.write("in/missing.imp", "y = 2; include \"nothing.imp\"");
+    folder.write("in/lost.imp", "include \"../nowhere/at_all.imp\"");
     folder.write("in/folder.imp", "include \"sub\"");
     folder.write("in/sub/back.imp", "include \"../good.imp\"");
     folder.write("in/good.imp", "R = 2; x = R");
@@ -182,6 +183,7 @@ fn includes_stay_in_their_folder_and_end() {
         ("itself", "includes itself", "in/itself.imp:1:9"),
         ("up", "outside the folder of the first file", "in/up.imp:1:9"),
         ("root", "outside the folder of the first file", "in/root.imp:1:9"),
+        ("lost", "outside the folder of the first file", "in/lost.imp:1:9"),
         ("missing", "cannot include 'nothing.imp'", "in/missing.imp:1:16"),
         ("folder", "cannot include 'sub'", "in/folder.imp:1:9"),
         ("level0", "nested more than 16 levels", "in/level15.imp:1:9"),

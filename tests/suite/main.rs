@@ -12,6 +12,7 @@ mod grammar;
 mod hostile;
 mod language;
 mod long_texts;
+mod mistakes;
 mod npy;
 mod pictures;
 mod tidy;

@@ -247,7 +247,7 @@ impl<'a> Lowerer<'a> {
             Some(n) => Ok(n),
             None => {
                 let message = format!("{what} is a whole number, and this is {}", super::cut(&value.to_string()));
-                Err(self.report(Diagnostic::error(place, message)))
+                Err(self.report(Diagnostic::error(place, message).help("take `floor(...)` or `round(...)`")))
             }
         }
     }

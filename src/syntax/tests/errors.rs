@@ -50,7 +50,7 @@ fn a_misfit_is_placed_and_mended() {
         ("1.5.2", (1, 4), "directly behind", ""),
         ("|x|y|z|", (1, 5), "opens or closes", "abs()"),
         ("|x|y|", (1, 5), "opens or closes", "abs()"),
-        ("|x", (1, 1), "no partner", "abs()"),
+        ("|x", (1, 1), "no partner", "`|x|`; or write `abs(x)`"),
         ("x|", (1, 3), "missing behind `|`", ""),
         ("|x|+|", (1, 6), "missing behind `|`", ""),
         ("x +", (1, 4), "missing behind `+`", ""),
