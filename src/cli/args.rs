@@ -11,7 +11,7 @@ use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
 /// The most threads that are started, whatever is asked for.
-const MAX_THREADS: usize = 1024;
+pub const MAX_THREADS: usize = 1024;
 
 /// The most samples a pixel.
 const MAX_SAMPLES: u32 = 65_536;
