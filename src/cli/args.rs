@@ -6,6 +6,7 @@
 use crate::film::Size;
 use crate::num::rational::Rational;
 use crate::render::Mode;
+use crate::session::plan::LATER_MODES;
 use clap::{Args, Parser, ValueEnum};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
@@ -347,9 +348,6 @@ fn setting(text: &str) -> Result<(String, Rational), String> {
     let rational = Rational::from_decimal(digits).ok_or_else(|| format!("'{}' is no number", value.escape_debug()))?;
     Ok((name.trim().to_owned(), if negative.is_some() { rational.negated() } else { rational }))
 }
-
-/// Modes that the design has and this version does not.
-const LATER_MODES: [&str; 8] = ["whitted", "angle", "end", "bounces", "path", "light", "bidirectional", "curvature"];
 
 /// The mode of a name.
 ///
