@@ -6,12 +6,13 @@
 use crate::film::Size;
 use crate::num::rational::Rational;
 use crate::render::Mode;
+use crate::session::plan::LATER_MODES;
 use clap::{Args, Parser, ValueEnum};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
 /// The most threads that are started, whatever is asked for.
-const MAX_THREADS: usize = 1024;
+pub const MAX_THREADS: usize = 1024;
 
 /// The most samples a pixel.
 const MAX_SAMPLES: u32 = 65_536;
@@ -347,9 +348,6 @@ fn setting(text: &str) -> Result<(String, Rational), String> {
     let rational = Rational::from_decimal(digits).ok_or_else(|| format!("'{}' is no number", value.escape_debug()))?;
     Ok((name.trim().to_owned(), if negative.is_some() { rational.negated() } else { rational }))
 }
-
-/// Modes that the design has and this version does not.
-const LATER_MODES: [&str; 8] = ["whitted", "angle", "end", "bounces", "path", "light", "bidirectional", "curvature"];
 
 /// The mode of a name.
 ///

@@ -8,7 +8,7 @@ use crate::session::{Loaded, Loader};
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// The largest file that is read: 4 MiB.
 pub const MAX_BYTES: u64 = 4 << 20;
@@ -23,14 +23,33 @@ pub struct Folder {
 impl Loader for Folder {
     fn load(&self, from: &str, path: &str) -> Result<Loaded, String> {
         let base = Path::new(from).parent().filter(|_| !from.is_empty()).unwrap_or(&self.root);
-        let file = fs::canonicalize(base.join(path)).map_err(|error| console::reason(&error))?;
-        let Ok(inside) = file.strip_prefix(&self.root) else {
-            return Err("it is outside the folder of the first file".into());
+        let outside = || "it is outside the folder of the first file".to_owned();
+        let Some(named) = plain(&base.join(path)).filter(|named| named.starts_with(&self.root)) else {
+            return Err(outside());
         };
+        let file = fs::canonicalize(named).map_err(|error| console::reason(&error))?;
+        let inside = file.strip_prefix(&self.root).map_err(|_| outside())?;
         let mut loaded = read(&file)?;
         loaded.name = shown(inside.as_os_str());
         Ok(loaded)
     }
+}
+
+/// A path without `.` and `..`, by its text alone; `None` if it leads out of its root.
+fn plain(path: &Path) -> Option<PathBuf> {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => {
+                if !plain.pop() {
+                    return None;
+                }
+            }
+            Component::CurDir => {}
+            Component::Prefix(_) | Component::RootDir | Component::Normal(_) => plain.push(part),
+        }
+    }
+    Some(plain)
 }
 
 /// The folder of the first program that is a file; without one, the current folder.

@@ -113,9 +113,9 @@ for_each_level! {
             }};
         }
         macro_rules! binary {
-            ($step:expr, $method:ident) => {{
+            ($step:expr, $method:ident $(, $extra:expr)?) => {{
                 let (a, b) = ($step.args[0] as usize, $step.args[1] as usize);
-                step!($step.out as usize, |r, out| T::$method::<L>(r.at(a), r.at(b), out))
+                step!($step.out as usize, |r, out| T::$method::<L>(r.at(a), r.at(b), $($extra,)? out))
             }};
         }
         let mut list: Vec<Closure<T>> = Vec::with_capacity(steps.len());
@@ -171,6 +171,7 @@ for_each_level! {
                 Op::Sub => binary!(step, sub),
                 Op::Mul => binary!(step, mul),
                 Op::Div => binary!(step, div),
+                Op::FloorDiv(n) => binary!(step, floor_div, n),
                 Op::Min => binary!(step, min),
                 Op::Max => binary!(step, max),
                 Op::Pow if a == b => unary!(step, self_power),

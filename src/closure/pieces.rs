@@ -113,6 +113,7 @@ fn sides_of(op: Op, arguments: [Enclosure; 4]) -> Sides {
         Op::Tan => a.tan_pieces(),
         Op::Power(n) => a.power_pieces(n),
         Op::Div => a.over_pieces(b),
+        Op::FloorDiv(n) => a.floor_over_pieces(n, b),
         Op::Atan2 => a.atan2_pieces(b),
         _ => Enclosure::choose_pieces(arguments[0], arguments[1], arguments[2]),
     }
@@ -134,7 +135,7 @@ fn fill(variables: &[Interval; 6], scratch: &mut Scratch) {
 /// Whether the operation has a jump or a pole.
 fn jumps(op: Op) -> bool {
     match op {
-        Op::Sign | Op::Floor | Op::Tan | Op::Div | Op::Atan2 | Op::Choose => true,
+        Op::Sign | Op::Floor | Op::Tan | Op::Div | Op::FloorDiv(_) | Op::Atan2 | Op::Choose => true,
         Op::Power(n) => n < 0,
         Op::Constant(_)
         | Op::Pi

@@ -63,9 +63,9 @@ for_each_level! {
             }};
         }
         macro_rules! binary {
-            ($method:ident) => {{
+            ($method:ident $(, $extra:expr)?) => {{
                 let (a, b) = (child(), child());
-                Box::new(move |p| one!(L, $method, [a(p), b(p)]))
+                Box::new(move |p| one!(L, $method, [a(p), b(p)] $(, $extra)?))
             }};
         }
         match op {
@@ -107,6 +107,7 @@ for_each_level! {
             Op::Sub => binary!(sub),
             Op::Mul => binary!(mul),
             Op::Div => binary!(div),
+            Op::FloorDiv(n) => binary!(floor_div, n),
             Op::Min => binary!(min),
             Op::Max => binary!(max),
             Op::Pow => binary!(pow),

@@ -8,6 +8,7 @@
 
 use super::graph::{Graph, NodeId};
 use super::op::{Op, Variable};
+use crate::num::rational::Rational;
 
 /// What is known of a node's value at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,6 +61,7 @@ pub(crate) fn plain(op: Op, a: f64, b: f64, c: f64) -> f64 {
         Op::Atanh => when(a.abs() < 1.0, a.atanh()),
         Op::Erf => core_math::erf(a),
         Op::Floor => a.floor(),
+        Op::FloorDiv(n) => when(b != 0.0, floor_of_quotient(n, a, b)),
         Op::Power(n) => when(a != 0.0 || n > 0, a.powi(n.clamp(-100_000, 100_000) as i32)),
         Op::Root(3) => a.cbrt(),
         Op::Root(n) => a.signum() * a.abs().powf(1.0 / f64::from(n)),
@@ -81,15 +83,22 @@ pub(crate) fn plain(op: Op, a: f64, b: f64, c: f64) -> f64 {
     }
 }
 
+/// ⌊n·a/b⌋ in fractions.
+fn floor_of_quotient(n: i64, a: f64, b: f64) -> f64 {
+    let quotient = |a: Rational, b: Rational| Rational::from_integer(n).times(&a)?.over(&b);
+    let exact = Rational::from_f64(a).zip(Rational::from_f64(b)).and_then(|(a, b)| quotient(a, b));
+    exact.map_or((n as f64 * a / b).floor(), |q| q.floor().to_f64())
+}
+
 fn jumps(op: Op) -> bool {
-    matches!(op, Op::Floor | Op::Sign | Op::Choose)
+    matches!(op, Op::Floor | Op::FloorDiv(_) | Op::Sign | Op::Choose)
 }
 
 /// How far `value` may be from the exact result for exactly these arguments.
 fn rounding(op: Op, value: f64, a: f64, b: f64) -> f64 {
     let ulp = value.abs() * f64::EPSILON;
     match op {
-        Op::Neg | Op::Abs | Op::Sign | Op::Floor | Op::Min | Op::Max | Op::Choose => 0.0,
+        Op::Neg | Op::Abs | Op::Sign | Op::Floor | Op::FloorDiv(_) | Op::Min | Op::Max | Op::Choose => 0.0,
         Op::Add | Op::Sub => {
             let b = if op == Op::Sub { -b } else { b };
             let kept = value - a;
@@ -129,7 +138,7 @@ fn combined(op: Op, args: &[Estimate]) -> Estimate {
     }
     let spans = |i: usize| errors[i] > 0.0 && exact[i].abs() <= errors[i];
     unsure |= match op {
-        Op::Div => spans(1),
+        Op::Div | Op::FloorDiv(_) => spans(1),
         Op::Power(n) => n < 0 && spans(0),
         Op::Atan2 => spans(0),
         // Near a pole the corners of the error say nothing.
@@ -243,7 +252,7 @@ impl Random {
             2 | 3 => graph.integer(self.below(7) as i64 - 3),
             4 => {
                 let value = [(1, 2), (1, 3), (-3, 4), (9, 4)][self.below(4)];
-                graph.number(crate::num::rational::Rational::from_fraction(value.0, value.1).unwrap())
+                graph.number(Rational::from_fraction(value.0, value.1).unwrap())
             }
             _ => graph.variable(Variable::ALL[self.below(3)]),
         }

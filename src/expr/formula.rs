@@ -84,10 +84,13 @@ impl Reader<'_> {
         if !self.take('^') {
             return base;
         }
+        let start = self.at;
         let exponent = self.signed();
+        // An exponent with a coordinate in it varies, whatever it folds to.
+        let varies = self.text[start..self.at].iter().any(|c| matches!(c, 'x' | 'y' | 'z'));
         match self.graph.constant(exponent).and_then(Rational::to_i64) {
-            Some(n) => self.graph.apply(Op::Power(n), &[base]),
-            None => self.graph.apply(Op::Pow, &[base, exponent]),
+            Some(n) if !varies => self.graph.apply(Op::Power(n), &[base]),
+            _ => self.graph.apply(Op::Pow, &[base, exponent]),
         }
     }
 

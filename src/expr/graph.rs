@@ -90,7 +90,7 @@ impl Graph {
             | Op::Max
             | Op::Choose => true,
             Op::Power(n) => n > 0 || self.is_nonzero(node.args[0]),
-            Op::Div => self.is_nonzero(node.args[1]),
+            Op::Div | Op::FloorDiv(_) => self.is_nonzero(node.args[1]),
             Op::Sqrt => self.is_nonnegative(node.args[0]),
             Op::Ln | Op::Log2 | Op::Log10 => self.is_positive(node.args[0]),
             Op::Pow => {

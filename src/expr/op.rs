@@ -59,6 +59,9 @@ pub enum Op {
     Erf,
     /// The largest whole number ≤ a.
     Floor,
+    /// The largest whole number ≤ n·a / b, b ≠ 0, for a whole n in 1…2^53: of the exact quotient, where the floor of
+    /// the rounded one may be one off.
+    FloorDiv(i64),
     /// a^n for a whole n ≠ 0, 1, by repeated squaring; a ≠ 0 when n < 0.
     Power(i64),
     /// The real root of odd order n ≥ 3, for every a.
@@ -107,7 +110,7 @@ impl Variable {
 
 impl Op {
     /// One of each operation, with a small sample parameter where it has one.
-    pub const ALL: [Op; 37] = [
+    pub const ALL: [Op; 38] = [
         Op::Constant(0),
         Op::Pi,
         Op::E,
@@ -140,6 +143,7 @@ impl Op {
         Op::Sub,
         Op::Mul,
         Op::Div,
+        Op::FloorDiv(3),
         Op::Min,
         Op::Max,
         Op::Pow,
@@ -175,7 +179,7 @@ impl Op {
             | Op::Floor
             | Op::Power(_)
             | Op::Root(_) => 1,
-            Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Min | Op::Max | Op::Pow | Op::Atan2 => 2,
+            Op::Add | Op::Sub | Op::Mul | Op::Div | Op::FloorDiv(_) | Op::Min | Op::Max | Op::Pow | Op::Atan2 => 2,
             Op::Choose => 3,
         }
     }

@@ -77,6 +77,10 @@ impl Signs {
         })
     }
 
+    fn floored(self) -> Signs {
+        if Signs::POSITIVE.within(self) { self.or(Signs::ZERO) } else { self }
+    }
+
     fn power(self, n: i64) -> Signs {
         let values = if n % 2 == 0 { self.absolute() } else { self };
         if n < 0 { values.nonzero() } else { values }
@@ -93,13 +97,8 @@ impl Signs {
             Op::Neg => a.negated(),
             Op::Abs => a.absolute(),
             Op::Sqrt => a.and(Signs::NOT_NEGATIVE),
-            Op::Floor => {
-                if Signs::POSITIVE.within(a) {
-                    a.or(Signs::ZERO)
-                } else {
-                    a
-                }
-            }
+            Op::Floor => a.floored(),
+            Op::FloorDiv(_) => a.times(b.nonzero()).floored(),
             Op::Power(n) => a.power(n),
             Op::Add => a.plus(b),
             Op::Sub => a.plus(b.negated()),
@@ -139,6 +138,8 @@ mod tests {
             (Op::Abs, n, z, p),
             (Op::Sqrt, n, z, Signs(0)),
             (Op::Floor, p, z, Signs::NOT_NEGATIVE),
+            (Op::FloorDiv(3), p, p, Signs::NOT_NEGATIVE),
+            (Op::FloorDiv(3), p, n, n),
         ];
         for (op, a, b, expected) in rows {
             assert_eq!(Signs::of(op, [a, b, Signs(0)]), expected, "{op:?} {a:?} {b:?}");

@@ -192,6 +192,10 @@ impl<const N: usize> Number for AffineLanes<N> {
         repair!([u64::MAX; N], out, atan2::<L>(a, b));
     }
 
+    fn floor_div<L: Level>(a: &Self, b: &Self, n: i64, out: &mut Self) {
+        repair!([u64::MAX; N], out, floor_div::<L>(a, b; n));
+    }
+
     #[inline(always)]
     fn choose<L: Level>(c: &Self, a: &Self, b: &Self, out: &mut Self) {
         choice::choose::<L, N>(c, a, b, out);

@@ -102,6 +102,25 @@ pub fn div(a: f64, b: f64) -> f64 {
     if b == 0.0 { f64::NAN } else { quotient }
 }
 
+/// Below this quotients of f64 have two bits behind the point, so that the nearest whole number is known: 2^51.
+pub const EXACT_WHOLE: f64 = 2251799813685248.0;
+
+/// The largest whole number ≤ n·a / b for a whole n, NaN for b = 0; of the exact quotient while it is below
+/// [`EXACT_WHOLE`]. The whole number nearest to the rounded quotient is it, or lies just above: what is left over,
+/// n·a − b·whole, has the sign that tells. Both products are used with what their rounding lost (by fused
+/// multiplication; Muller et al., "Handbook of Floating-Point Arithmetic", 2nd ed., section 4.4).
+#[inline(always)]
+pub fn floor_div<L: Level>(n: f64, a: f64, b: f64) -> f64 {
+    let high = n * a;
+    let low = L::fma(n, a, -high);
+    let quotient = div(high, b);
+    let nearest = (quotient + 0.5).floor();
+    let left = L::fma(-nearest, b, high) + low;
+    let is_above = (left != 0.0) & ((left < 0.0) == (b > 0.0)) & left.is_finite();
+    let whole = if is_above { nearest - 1.0 } else { nearest };
+    if quotient.abs() < EXACT_WHOLE { whole } else { quotient.floor() }
+}
+
 /// The smaller; NaN if either is.
 #[inline(always)]
 pub fn min(a: f64, b: f64) -> f64 {

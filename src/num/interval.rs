@@ -272,6 +272,15 @@ impl Enclosure {
         self.range.power(n).after(self.defined, self.continuous)
     }
 
+    /// largest whole number ≤ n·a / b, n in 1…2^53
+    pub fn floor_over(self, n: i64, other: Self) -> Self {
+        if self.defined == Defined::Nowhere || other.defined == Defined::Nowhere {
+            return Self::NOWHERE;
+        }
+        let whole = self.range.floor_over(n, other.range);
+        whole.after(self.defined, self.continuous).after(other.defined, other.continuous)
+    }
+
     /// real root of odd order n ≥ 3
     pub fn root(self, n: u32) -> Self {
         if self.defined == Defined::Nowhere {

@@ -87,7 +87,8 @@ macro_rules! by_arrays {
 impl<const N: usize> Number for IntervalLanes<N> {
     #[inline(always)]
     fn constant(value: Constant) -> Self {
-        Self::splat(Enclosure::total(value.range))
+        let nothing = value.range.is_empty();
+        Self::splat(if nothing { Enclosure::NOWHERE } else { Enclosure::total(value.range) })
     }
 
     by_arrays! {
@@ -131,6 +132,11 @@ impl<const N: usize> Number for IntervalLanes<N> {
     #[inline(always)]
     fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
         arithmetic::power::<L, N>(a, n, out);
+    }
+
+    #[inline(always)]
+    fn floor_div<L: Level>(a: &Self, b: &Self, n: i64, out: &mut Self) {
+        arithmetic::floor_div::<L, N>(a, b, n, out);
     }
 
     #[inline(always)]

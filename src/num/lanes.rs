@@ -157,6 +157,13 @@ impl<const N: usize> Number for Lanes<N> {
     }
 
     #[inline(always)]
+    fn floor_div<L: Level>(a: &Self, b: &Self, n: i64, out: &mut Self) {
+        for i in 0..N {
+            out.0[i] = func::floor_div::<L>(n as f64, a.0[i], b.0[i]);
+        }
+    }
+
+    #[inline(always)]
     fn root<L: Level>(a: &Self, n: u32, out: &mut Self) {
         for i in 0..N {
             out.0[i] = func::root::<L>(a.0[i], n);

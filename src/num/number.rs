@@ -104,6 +104,8 @@ pub trait Number: Clone + Send + Sync + 'static {
     fn mul<L: Level>(a: &Self, b: &Self, out: &mut Self);
     /// a / b
     fn div<L: Level>(a: &Self, b: &Self, out: &mut Self);
+    /// largest whole number ≤ n·a / b, n in 1…2^53
+    fn floor_div<L: Level>(a: &Self, b: &Self, n: i64, out: &mut Self);
     /// the smaller
     fn min<L: Level>(a: &Self, b: &Self, out: &mut Self);
     /// the larger

@@ -10,6 +10,7 @@ use super::interval_lanes::IntervalLanes;
 use super::lanes::Lanes;
 use super::level::{Simd, for_each_level};
 use super::number::Number;
+use super::rational::Rational;
 use std::hint::black_box;
 
 /// Runs an operation so many times at a level.
@@ -67,6 +68,7 @@ runner!(add: add(a, b));
 runner!(sub: sub(a, b));
 runner!(mul: mul(a, b));
 runner!(div: div(a, b));
+runner!(floor_div: floor_div(a, b), 3);
 runner!(min: min(a, b));
 runner!(max: max(a, b));
 runner!(pow: pow(a, b));
@@ -97,6 +99,15 @@ fn positive(a: f64, f: fn(f64) -> f64) -> f64 {
 
 fn inside(a: f64, f: fn(f64) -> f64) -> f64 {
     if a.abs() < 1.0 { f(a) } else { f64::NAN }
+}
+
+/// ⌊n·a/b⌋ in fractions.
+fn whole_quotient(n: i64, a: f64, b: f64) -> f64 {
+    let quotient = |a: &Rational, b: &Rational| Rational::from_integer(n).times(a)?.over(b);
+    match (Rational::from_f64(a), Rational::from_f64(b)) {
+        (Some(a), Some(b)) => quotient(&a, &b).map_or(f64::NAN, |q| q.floor().to_f64()),
+        _ => (func::div(n as f64 * a, b)).floor(),
+    }
 }
 
 fn reciprocal(a: f64, n: f64) -> f64 {
@@ -161,6 +172,7 @@ pub(super) fn trials() -> Vec<Trial> {
         trial!(sub, a, b, a.minus(b), a - b),
         trial!(mul, a, b, a.times(b), a * b),
         trial!(div, a, b, a.over(b), func::div(a, b)),
+        trial!(floor_div, a, b, a.floor_over(3, b), whole_quotient(3, a, b)),
         trial!(min, a, b, a.min(b), a.min(b)),
         trial!(max, a, b, a.max(b), a.max(b)),
         trial!(pow, a, b, a.pow(b), power_of(a, b)),

@@ -22,6 +22,10 @@ const MARCH_SHARE: f64 = 1.0 / 256.0;
 /// How far outside a bounded surface its sign is read, in radii: anywhere outside has the same.
 const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
 
+/// Modes that the design has and this version does not.
+pub const LATER_MODES: [&str; 8] =
+    ["whitted", "angle", "end", "bounces", "path", "light", "bidirectional", "curvature"];
+
 /// How roots are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Method {
@@ -212,8 +216,11 @@ fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
 fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {
     let names: Vec<&str> = Mode::ALL.iter().map(|(name, _)| *name).collect();
     let name = crate::diag::printable(&written.name, 40);
-    let diagnostic = Diagnostic::error(written.span, format!("there is no mode '{name}'"))
-        .help(format!("there are {}", names.join(", ")));
+    let message = match LATER_MODES.contains(&written.name.as_str()) {
+        true => format!("the mode '{name}' is not built yet"),
+        false => format!("there is no mode '{name}'"),
+    };
+    let diagnostic = Diagnostic::error(written.span, message).help(format!("there are {}", names.join(", ")));
     Refusal::Program(vec![diagnostic])
 }
 

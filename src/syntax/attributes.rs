@@ -71,6 +71,11 @@ impl Reader<'_> {
         let word = self.raw().unwrap_or_else(|| self.peek());
         let text = self.written(word.span);
         self.skip(1);
+        if word.kind == TokenKind::Name && self.raw().is_some_and(|sign| sign.kind == TokenKind::Equal) {
+            let sign = self.peek().span;
+            let error = Diagnostic::error(sign, format!("expected `:` behind `{}`, found `=`", printable(text, 20)));
+            return Err(self.stop(error.help(format!("write `{}: ...`", printable(text, 20)))));
+        }
         if word.kind != TokenKind::Name || self.raw().is_none_or(|colon| colon.kind != TokenKind::Colon) {
             let shown = printable(text, 20);
             let error = Diagnostic::error(word.span, format!("expected `key: value`, found `{shown}`"));
@@ -82,7 +87,7 @@ impl Reader<'_> {
         if self.peek().kind == TokenKind::Name && self.second().kind == TokenKind::Colon {
             let next = self.peek().span;
             let error = Diagnostic::error(next, format!("expected `,` before `{}`", printable(self.written(next), 20)));
-            return Err(self.stop(error));
+            return Err(self.stop(error.help("entries have commas between them")));
         }
         self.finish()?;
         Ok(Attribute { key, value })
@@ -95,6 +100,8 @@ impl Reader<'_> {
         };
         let written = self.written(word.span);
         match word.kind {
+            // Reported where it was found: there is no value to complain about.
+            TokenKind::Invalid => Err(self.stop(Diagnostic::error(word.span, "this is no value"))),
             TokenKind::Color => {
                 self.skip(1);
                 Ok(AttributeValue::Color(super::lexer::color(written).unwrap_or_default(), word.span))

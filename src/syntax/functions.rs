@@ -200,6 +200,14 @@ pub fn elsewhere(name: &str) -> Option<&'static str> {
     ELSEWHERE.iter().find(|(other, _)| *other == name).map(|(_, here)| *here)
 }
 
+/// Functions of clips and colours: with a bracket behind them they are these, alone a program may give them a value.
+const OF_ATTRIBUTES: [&str; 5] = ["ball", "box", "rgb", "hsl", "hsv"];
+
+/// Whether it is a function of clips and colours.
+pub fn is_of_attributes(name: &str) -> bool {
+    OF_ATTRIBUTES.contains(&name)
+}
+
 /// Special functions that people will ask for and that are not built.
 const NOT_YET: [&str; 24] = [
     "gamma",

@@ -168,7 +168,8 @@ fn check(kind: TokenKind, written: &str, span: Span, errors: &mut Vec<Diagnostic
     let error = match kind {
         TokenKind::Name if written.len() > MAX_NAME => {
             let many = written.len();
-            Diagnostic::error(span, format!("this name has {many} characters; the limit is {MAX_NAME}"))
+            let error = Diagnostic::error(span, format!("this name has {many} characters; the limit is {MAX_NAME}"));
+            error.help("take a shorter name")
         }
         TokenKind::Name if !written.is_ascii() => false_letter(written, span),
         TokenKind::Number if written.len() > MAX_NUMBER => {
@@ -210,7 +211,6 @@ fn foreign_text(written: &str, span: Span) -> Diagnostic {
         ":=" => Some("="),
         "=<" => Some("<="),
         "=>" => Some(">="),
-        "∞" => Some("a number, such as 1e9"),
         "∧" | "∩" => Some("and"),
         "∨" | "∪" => Some("or"),
         "¬" => Some("not"),
@@ -218,6 +218,14 @@ fn foreign_text(written: &str, span: Span) -> Diagnostic {
     };
     let error = Diagnostic::error(span, format!("`{}` is not part of the language", cut(written)));
     let first = written.chars().next();
+    let sentence = match written {
+        "∞" => "there is no infinity: write a number, such as `1e9`",
+        "±" => "write two surfaces, one with `+` and one with `-`",
+        _ => "",
+    };
+    if !sentence.is_empty() {
+        return error.help(sentence);
+    }
     match (mend, first.and_then(letters::look_alike)) {
         (Some(mend), _) => error.help(format!("write `{mend}`")),
         (None, Some((meant, script))) => error.help(format!("this is a {script} character: write `{meant}`")),

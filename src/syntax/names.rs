@@ -47,7 +47,8 @@ pub(super) struct Names {
 
 /// Whether no program may define the name.
 pub(super) fn is_fixed(name: &str) -> bool {
-    COORDINATES.contains(&name) || CONSTANTS.contains(&name) || functions::find(name).is_some()
+    let function = functions::find(name).is_some() && !functions::is_of_attributes(name);
+    COORDINATES.contains(&name) || CONSTANTS.contains(&name) || function
 }
 
 impl Names {

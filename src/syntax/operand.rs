@@ -15,6 +15,7 @@ impl Reader<'_> {
     /// An operand and the components behind it.
     pub(super) fn operand(&mut self) -> Read<Expr> {
         let mut value = self.bare_operand()?;
+        let mut levels = 0;
         while self.peek().kind == TokenKind::Dot {
             let start = value.span;
             let dot = self.take();
@@ -26,9 +27,11 @@ impl Reader<'_> {
             }
             self.take();
             let component = Name { text: name.to_owned(), span: word.span };
-            self.depth += 1;
+            self.nest()?;
+            levels += 1;
             value = Expr { kind: ExprKind::Component(Box::new(value), component), span: self.since(start) };
         }
+        self.depth -= levels;
         Ok(value)
     }
 
@@ -163,7 +166,8 @@ impl Reader<'_> {
             Diagnostic::error(Span::new(open.span.source, from, from + 2), "`||` is not an operator here")
                 .help("write `or`")
         } else {
-            Diagnostic::error(open.span, "this bar has no partner").help("write `abs()` instead of bars")
+            Diagnostic::error(open.span, "this bar has no partner")
+                .help("bars stand on both sides, `|x|`; or write `abs(x)`")
         };
         self.stop(error)
     }
@@ -184,7 +188,11 @@ impl Reader<'_> {
         let word = self.take();
         let name = self.name(word);
         let bracket = self.peek().kind == TokenKind::Open(Bracket::Round);
-        match self.meaning(name) {
+        let meaning = match super::functions::find(name) {
+            Some(function) if bracket && super::functions::is_of_attributes(name) => Meaning::Builtin(function),
+            _ => self.meaning(name),
+        };
+        match meaning {
             Meaning::Value => {
                 self.note_angle(word);
                 Ok(Expr { kind: ExprKind::Name(name.to_owned()), span: word.span })

@@ -259,11 +259,17 @@ impl<'p> Reader<'p> {
     fn unknown_name(&self, name: &str, span: Span, called: bool) -> Diagnostic {
         let shown = printable(name, super::lexer::MAX_NAME);
         if let Some(known) = self.same_but_for_case(name) {
-            return Diagnostic::error(span, format!("unknown name `{shown}`: upper and lower case differ"))
-                .help(format!("write `{known}`"));
+            return Diagnostic::error(span, format!("unknown name `{shown}`: upper and lower case differ")).help(
+                match name.len() {
+                    1 if !names::COORDINATES.contains(&known.as_str()) => {
+                        format!("write `{known}`, or define it: `{name} = 1`")
+                    }
+                    _ => format!("write `{known}`"),
+                },
+            );
         }
         if super::functions::is_not_yet(name) {
-            return Diagnostic::error(span, format!("the function `{shown}` is not built yet"));
+            return not_yet(name, span);
         }
         if let Some(here) = super::functions::elsewhere(name) {
             let error = Diagnostic::error(span, format!("unknown function `{shown}`"));
@@ -287,6 +293,9 @@ impl<'p> Reader<'p> {
         if !digits.is_empty() && matches!(self.meaning(letters), Meaning::Value) {
             return format!("write `{letters}^{digits}` or `{letters}*{digits}`");
         }
+        if let Some(application) = self.application(name).filter(|_| !called) {
+            return format!("write `{application}`");
+        }
         let scope = self.scope.iter().map(String::as_str);
         let near = nearest(name, scope.chain(self.names.known()).take(MAX_COMPARED));
         if !near.is_empty() && name.chars().count() > 1 {
@@ -300,12 +309,50 @@ impl<'p> Reader<'p> {
         match self.segments(name) {
             Some(product) if !called => format!("write `{product}` if a product is meant, or define it: `{name} = 1`"),
             _ if called => format!("define it: `{name}(u) = u^2`"),
+            _ if let Some((letter, product)) = self.undefined_letter(name) => {
+                format!("`{letter}` is not defined; with `{letter} = 1` it is read as `{product}`")
+            }
             _ => format!("define it: `{name} = 1`"),
+        }
+    }
+
+    /// `sinx` as `sin x`: a function that takes one argument, and what can be one.
+    fn application(&self, name: &str) -> Option<String> {
+        let ends = (1..name.len()).rev().filter(|&end| name.is_char_boundary(end));
+        ends.map(|end| name.split_at(end)).find_map(|(function, argument)| {
+            let applies = match self.meaning(function) {
+                Meaning::Builtin(function) => function.applies_bare(),
+                Meaning::Function(count) => count == 1 && function.len() > 1,
+                Meaning::Value | Meaning::Unknown => false,
+            };
+            let letters = argument != "e" && argument.bytes().all(|b| b.is_ascii_alphabetic());
+            let splits = letters && self.segments_of(argument).is_some();
+            (applies && splits).then(|| format!("{function} {argument}"))
+        })
+    }
+
+    /// The only letter that keeps a short name from being a product, and the product.
+    fn undefined_letter<'n>(&self, name: &'n str) -> Option<(&'n str, String)> {
+        /// Longer names are words, not products.
+        const MAX_PRODUCT: usize = 4;
+        if name.len() > MAX_PRODUCT || !name.bytes().all(|b| b.is_ascii_alphabetic()) {
+            return None;
+        }
+        let letters: Vec<&str> = (0..name.len()).map(|i| &name[i..=i]).collect();
+        let mut unknown: Vec<&str> = letters.iter().copied().filter(|letter| !self.names.splits(letter)).collect();
+        unknown.dedup();
+        match unknown[..] {
+            [letter] if letters.len() > 1 => Some((letter, letters.join("*"))),
+            _ => None,
         }
     }
 
     /// A name as a product of known names, the longest first at each place.
     fn segments(&self, name: &str) -> Option<String> {
+        self.segments_of(name).filter(|parts| parts.len() > 1).map(|parts| parts.join("*"))
+    }
+
+    fn segments_of<'n>(&self, name: &'n str) -> Option<Vec<&'n str>> {
         let mut parts: Vec<&str> = Vec::new();
         let mut rest = name;
         while !rest.is_empty() && name.is_ascii() {
@@ -314,6 +361,12 @@ impl<'p> Reader<'p> {
             parts.push(&rest[..length]);
             rest = &rest[length..];
         }
-        (parts.len() > 1).then(|| parts.join("*"))
+        Some(parts)
     }
+}
+
+/// The error for a known function that the language does not have yet, called or defined.
+pub(super) fn not_yet(name: &str, span: Span) -> Diagnostic {
+    let error = Diagnostic::error(span, format!("the function `{name}` is not built yet"));
+    error.help("give a function of your own another name")
 }

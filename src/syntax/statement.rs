@@ -111,7 +111,7 @@ impl Reader<'_> {
         let what = match text {
             _ if names::COORDINATES.contains(&text) => "a coordinate",
             _ if names::CONSTANTS.contains(&text) => "a constant",
-            _ if super::functions::find(text).is_some() => "a function of the language",
+            _ if names::is_fixed(text) => "a function of the language",
             _ => return,
         };
         let error = Diagnostic::error(name.span, format!("`{text}` is {what} and cannot be defined"));
@@ -164,6 +164,13 @@ impl Reader<'_> {
     }
 
     fn function(&mut self, outline: &Outline<'_>, name: Name, span: Span) -> StatementKind {
+        if super::functions::is_of_attributes(&name.text) {
+            let message = format!("`{}` is a function of clips and colours and cannot be defined", name.text);
+            self.error(Diagnostic::error(name.span, message).help("choose another name"));
+        }
+        if super::functions::is_not_yet(&name.text) {
+            self.error(super::reader::not_yet(&name.text, name.span));
+        }
         let mut parameters: Vec<Name> = Vec::new();
         for &word in outline.head.parameters.iter().take(MAX_PARAMETERS) {
             let text = self.name(word).to_owned();

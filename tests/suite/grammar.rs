@@ -4,6 +4,7 @@
 //! `implicit-note` and `implicit-error` each line is a program, with a part of what is said about it behind `//`.
 
 use implicit::diag::{Diagnostic, render};
+use implicit::expr::lower::limits;
 use implicit::session::Program;
 use implicit::syntax::{self, functions::FUNCTIONS};
 
@@ -70,6 +71,28 @@ fn wrong_programs_are_refused_as_the_page_says() {
     }
 }
 
+/// The formula in the first backticks of a cell.
+fn formula(cell: &str) -> Option<&str> {
+    cell.trim().strip_prefix('`')?.split('`').next()
+}
+
+#[test]
+fn traps_are_read_as_the_page_says() {
+    let page = page();
+    let section = page.split("## Traps").nth(1).and_then(|rest| rest.split("## ").next()).expect("the traps");
+    let mut count = 0;
+    for row in section.lines().filter(|line| line.starts_with("| `") && !line.contains("\\|")) {
+        let cells: Vec<&str> = row.split('|').collect();
+        let (Some(text), Some(here)) = (formula(cells[1]), formula(cells[2])) else { continue };
+        let program = Program::from_text(&format!("{text}; {here}"));
+        let shown = render(&program.diagnostics, &program.sources, false);
+        assert!(!program.has_errors(), "{row}\n{shown}");
+        assert_eq!(program.lowered.surfaces[0].f, program.lowered.surfaces[1].f, "{row}");
+        count += 1;
+    }
+    assert!(count >= 10, "{count} rows");
+}
+
 #[test]
 fn the_table_of_functions_is_that_of_the_code() {
     let page = page();
@@ -88,14 +111,20 @@ fn the_limits_are_those_of_the_code() {
     let limits = [
         ("nesting of brackets, signs, powers, bars and functions", syntax::MAX_NESTING),
         ("bytes of a program text", syntax::MAX_TEXT),
+        ("bytes of a file, and of standard input", implicit::cli::files::MAX_BYTES as usize),
         ("characters of a name", syntax::MAX_NAME),
         ("characters of a number", syntax::MAX_NUMBER),
         ("decimal exponent of a number", implicit::num::rational::MAX_EXPONENT as usize),
         ("parameters of a function", syntax::MAX_PARAMETERS),
-        ("nodes of all formulas together, terms of sums included", implicit::expr::lower::limits::MAX_NODES),
-        ("definitions that stand on each other in a row", implicit::expr::lower::limits::MAX_CHAIN as usize),
+        ("nodes of all formulas together, terms of sums included", limits::MAX_NODES),
+        ("brackets and calls in one another, those of functions included", limits::MAX_DEPTH as usize),
+        ("operations in a row from a formula to its leaf", limits::MAX_GRAPH_DEPTH as usize),
+        ("steps to build the formulas", limits::MAX_STEPS as usize),
+        ("definitions that stand on each other in a row", limits::MAX_CHAIN as usize),
         ("levels of `include`", implicit::session::include::MAX_LEVELS),
         ("files in one program", implicit::session::include::MAX_FILES),
+        ("pixels of a picture", implicit::film::size::MAX_PIXELS as usize),
+        ("threads", implicit::cli::args::MAX_THREADS),
         ("errors that are shown, and notes", syntax::MAX_REPORTED),
     ];
     for (what, most) in limits {

@@ -7,8 +7,12 @@
 mod cli;
 mod closures;
 mod command;
+mod formulas;
 mod grammar;
+mod hostile;
+mod language;
 mod long_texts;
+mod mistakes;
 mod npy;
 mod pictures;
 mod tidy;

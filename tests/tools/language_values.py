@@ -2,8 +2,8 @@
 """Writes tests/data/language-values.tsv: typed programs with the value of their first surface's function at a point.
 
 Needs mpmath. Each row below is `program => value`: the left is text of the language, the right says in Python, fully
-bracketed and without any rule of the language, what it must mean. `[Q]` or `[R]` in front picks the second or
-third point instead of the first. The values are worked out at 50 digits and written with 20.
+bracketed and without any rule of the language, what it must mean. `[Q]`, `[R]`, `[S]` in front pick another
+point than the first. The values are worked out at 50 digits and written with 20.
 
     python tests/tools/language_values.py > tests/data/language-values.tsv
 """
@@ -13,7 +13,7 @@ from mpmath import mp, mpf
 
 mp.dps = 50
 
-POINTS = {"P": ("0.75", "-1.25", "0.375"), "Q": ("-1.5", "0.25", "2"), "R": ("0", "0", "0")}
+POINTS = {"P": ("0.75", "-1.25", "0.375"), "Q": ("-1.5", "0.25", "2"), "R": ("0", "0", "0"), "S": ("0.1", "-2", "3")}
 
 ROWS = r"""
 # numbers and constants
@@ -165,6 +165,290 @@ x^2^-1 => sqrt(x)
 sqrt(x)^2 => x
 [Q] x^(1/3)^3 => nan
 [Q] (x^(1/3))^3 => x
+# an exponent with a coordinate in it keeps its domain when it folds to a constant
+z^(x-x) => 1
+y^(x-x) => nan
+[R] z^(x-x) => nan
+[R] x^(x-x+1) => 0
+y^(x-x+2) => nan
+y^(0x+1/3) => nan
+y^(1+1) => y**2
+y^(3-1) => y**2
+w = x-x+2; y^w => nan
+w = 4/2; y^w => y**2
+f(n) = y^n; f(2) => y**2
+f(n) = y^n; f(2+x-x) => nan
+f(u) = u + 0x; y^f(2) => nan
+sum(k = 1..2, y^k) => y+y**2
+sum(k in [x-x+1], y^k) => nan
+y^if(x < 0, 2, 2) => nan
+y^(p.x-x+2) => nan
+# floor and remainder of a quotient that rounds to a whole number
+[S] 2 % x => 2-x*19
+[S] mod(2,x) => 2-x*19
+[S] floor(2/x) => 19
+[S] mod(-2,x) => -2+x*20
+[S] mod(y,x) => -2+x*20
+[S] z % x => z-29*x
+[S] floor(z/x) => 29
+[S] mod(y,-x) => y+19*x
+[S] z % 0.1 => 3-30*(mpf(1)/10)
+[S] mod(x*30, x) => x*30-x*30
+[S] floor(x/3) => 0
+mod(3x, y) => 3*x-y*fl(3*x/y)
+# as people type and paste it
+x ^ 2 + y ^ 2 => x**2+y**2
+ x  *  y  => x*y
+x^ 2y => x**2*y
+2 x^2 y => 2*x**2*y
+2(x)(y)^2 => 2*x*y**2
+-2x^2 => -2*x**2
+-(x)^2 => -(x**2)
+2-x^-1 => 2-1/x
+2*-x => -2*x
+x--y => x+y
+x+-+y => x-y
+x*+y => x*y
++-x => -x
+x−−y => x+y
+x·y÷z => x*y/z
+x∙y => x*y
+x²+y² => x**2+y**2
+x²y³ => x**2*y**3
+x⁻¹y => y/x
+(x+y)² => (x+y)**2
+2x² => 2*x**2
+x^2² => x**4
+2^x² => 2**(x**2)
+|x|² => x**2
+√x² + √(y²) => abs(x)+abs(y)
+√x y => sqrt(x)*y
+√xy => sqrt(x)*y
+2√x => 2*sqrt(x)
+√√x => sqrt(sqrt(x))
+∛x³ => x
+√|y| => sqrt(abs(y))
+√x/2 => sqrt(x)/2
+√2 x => sqrt(mpf(2))*x
+√(2x) => sqrt(2*x)
+1/√x => 1/sqrt(x)
+x/2/y => x/2/y
+x/2y/z => x/2*y/z
+1/2/x y => 1/(2*x)*y
+6/2(1+x) => 3*(1+x)
+x % 2 y => (x-2*fl(x/2))*y
+2x % y => 2*x-y*fl(2*x/y)
+-x % 2 => (-x)-2*fl(-x/2)
+-(x % 2) => -(x-2*fl(x/2))
+x^2 % y => x**2-y*fl(x**2/y)
+5 % y => 5-y*fl(5/y)
+2^-x^2 => 2**(-(x**2))
+2^(-x)^2 => 2**(x**2)
+x^y^0 => x
+(x^2)^3 => x**6
+x^2^3 => x**8
+x^+2 => x**2
+x^--2 => x**2
+x^(-2) => x**-2
+x^(2) => x**2
+x^(1)/(2) => x/2
+x**-1 => 1/x
+x^.5 => sqrt(x)
+x^2. => x**2
+x^1e0 => x
+y^(+1/3) => rt(3,y)
+y^(-(1/3)) => 1/rt(3,y)
+y^((1)/(3)) => rt(3,y)
+y^(3/9) => rt(3,y)
+y^(6/3) => y**2
+y^(1/2) => nan
+y^(2/4) => nan
+y^(0.333) => nan
+y^(1/3.0) => rt(3,y)
+y^(1/3+0) => nan
+y^(-4/3) => rt(3,y)**-4
+(y^3)^(1/3) => y
+(y^2)^(1/2) => abs(y)
+(y^(1/3))^2 => rt(3,y)**2
+(-8)^(1/3) + x => -2+x
+-8^(1/3) + x => -2+x
+(-8)^(2/3) + x => 4+x
+(-4)^0.5 + x => nan
+(-2)^2 + x => 4+x
+(-2)^-3 + x => x-mpf(1)/8
+0^0 + x => 1+x
+[R] 0^x => nan
+[R] 1 + x^2^0 => 1
+x^0.0 => 1
+y^(0/5) => 1
+y^(0/2) => 1
+e^x y => mpmath.exp(x)*y
+e^-x => mpmath.exp(-x)
+e^x^2 => mpmath.exp(x**2)
+e^(x)y => mpmath.exp(x)*y
+2e^x => 2*mpmath.exp(x)
+xe^x => x*mpmath.exp(x)
+x e^-x^2 => x*mpmath.exp(-(x**2))
+exp x^2 => mpmath.exp(x**2)
+exp(x)^2 => mpmath.exp(x)**2
+e^2 x => mpmath.exp(2)*x
+e2 = 5; x*e2 => 5*x
+# functions, nested without brackets
+sin cos x => sin(cos(x))
+sin cos tan y => sin(cos(tan(y)))
+cos sin x cos y => cos(sin(x))*cos(y)
+sin √x => sin(sqrt(x))
+√sin x => sqrt(sin(x))
+sin |y| => sin(abs(y))
+|sin y| => abs(sin(y))
+|sin y| cos x => abs(sin(y))*cos(x)
+ln |y| => log(abs(y))
+sin(cos(x)) sin y => sin(cos(x))*sin(y)
+sin x sin y sin z => sin(x)*sin(y)*sin(z)
+sin 2x cos 3y => sin(2*x)*cos(3*y)
+2sin x cos y z => 2*sin(x)*cos(y*z)
+x sin y => x*sin(y)
+x sin y z => x*sin(y*z)
+sin x + cos y => sin(x)+cos(y)
+sin x - y => sin(x)-y
+sin -x^2 => sin(-(x**2))
+sin +x => sin(x)
+-sin -x => -sin(-x)
+sin 2 pi x => sin(2*pi*x)
+sin 2πx => sin(2*pi*x)
+sin πx => sin(pi*x)
+sin pi/2 + x => sin(pi)/2+x
+sin(pi/2) + x => 1+x
+sin x^2 y => sin(x**2*y)
+sin(x)^2 y => sin(x)**2*y
+sin (x)^2 => sin(x)**2
+sin (x+y) z => sin(x+y)*z
+sin(x)(y) => sin(x)*y
+sin x(y)(z) => sin(x*y*z)
+sin^2 x cos^3 y => sin(x)**2*cos(y)**3
+sin^2 2x => sin(2*x)**2
+sin^2(x)y => sin(x)**2*y
+sin³y => sin(y)**3
+n = 2; sin^n x => sin(x)**2
+ln^2 x => log(x)**2
+sqrt x + y => sqrt(x)+y
+sqrt x y => nan
+sqrt(x) y => sqrt(x)*y
+log x => log(x)/log(mpf(10))
+log 100x => log(100*x)/log(mpf(10))
+log(2, 8) + x => 3+x
+log(e, x) => log(x)
+log(0.5, x) => log(x)/log(mpf(1)/2)
+log2 8x => log(8*x)/log(mpf(2))
+ln e^x => x
+ln e x => 1+log(x)
+abs -y => abs(-y)
+min(x, y)z => min(x,y)*z
+max(x, y, z)^2 => max(x,y,z)**2
+tan x/y => tan(x)/y
+f(u) = u^2; f x => x**2
+f(u) = u^2; f x y => (x*y)**2
+f(u) = u^2; f x + 1 => x**2+1
+f(u) = u^2; f(x)y => x**2*y
+f(u) = u^2; f^2 x => x**4
+f(u) = u^2; sin f x => sin(x**2)
+# bars
+|x|y => abs(x)*y
+y|x| => y*abs(x)
+2|x||y| => 2*abs(x)*abs(y)
+|x| |y| => abs(x)*abs(y)
+|x y| => abs(x*y)
+|-x| => abs(x)
+-|x| => -abs(x)
+|x|^y => abs(x)**y
+|(x)| => abs(x)
+(|x|) => abs(x)
+||x|| => abs(x)
+|||x|-1|-2| => abs(abs(abs(x)-1)-2)
+|x + |y|| => abs(x+abs(y))
+||x| + y| => abs(abs(x)+y)
+|x| - |y| => abs(x)-abs(y)
+|x|*|y| => abs(x)*abs(y)
+|x|/|y| => abs(x)/abs(y)
+|x|(y+1) => abs(x)*(y+1)
+(x)|y| => x*abs(y)
+|x^2 - |y|^3| => abs(x**2-abs(y)**3)
+max(|x|, |y|) => max(abs(x),abs(y))
+|(1,2,2)| + x => 3+x
+|p|^2 - 1 => x*x+y*y+z*z-1
+|p - (0,0,1)| => sqrt(x*x+y*y+(z-1)**2)
+# names that fall apart
+xyz^2 => x*y*z**2
+2xy => 2*x*y
+xx => x*x
+xyx => x*y*x
+x²yz => x**2*y*z
+xy/z => x*y/z
+x/yz => x/y*z
+xy^-1 => x/y
+a = 2; ax^2 + ay => 2*x**2+2*y
+a = 2; b = 3; ab x => 6*x
+a = 2; xa => 2*x
+a = 2; 3ax => 6*x
+a = 2; b = 3; abxy => 6*x*y
+a = 2; a^2x => 4*x
+c = 3; r = 2; x r c => 6*x
+θ = 2; θx => 2*x
+α = 2; αx + α => 2*x+2
+f(s, t) = st; f(x, y) => x*y
+f(s) = sx; f(y) => y*x
+sum(k = 1..3, kx) => 6*x
+A1 = 2; A1 x => 2*x
+x_1 = 2; x_1 y => 2*y
+R = 2; R x => 2*x
+R = 2; r = 3; R*r*x => 6*x
+ex + e => E*x+E
+# regions, chains
+x < y < z => max(x-y,y-z)
+z >= y >= x => max(y-z,x-y)
+1 < x < 2 or y < 0 => min(max(1-x,x-2),y)
+not not x < 1 => x-1
+not x < 1 or y < 1 => min(1-x,y-1)
+x < 1 and not y < 1 and z < 1 => max(x-1,1-y,z-1)
+(x < 1 or y < 1) and z < 0 => max(min(x-1,y-1),z)
+A = x < 1; B = y < 1; not (A or B) => -min(x-1,y-1)
+A = x < 1; B = y < 1; C = z < 1; A and B or not C => min(max(x-1,y-1),1-z)
+difference(x < 1, y < 1) => max(x-1,1-y)
+difference(union(x<1, y<1), z<1, y<0) => max(min(x-1,y-1),1-z,-y)
+intersection(x<1, not y<1) => max(x-1,1-y)
+smooth_union(1, x, y) => min(x,y)-max(1-abs(x-y),0)**2/4
+smooth_union(2, x, y) => min(x,y)-max(2-abs(x-y),0)**2/8
+smooth_union(1, x, z, y) => (lambda m: min(m,y)-max(1-abs(m-y),0)**2/4)(min(x,z)-max(1-abs(x-z),0)**2/4)
+smooth_union(1, x<1, z<1) => min(x-1,z-1)-max(1-abs(x-z),0)**2/4
+union(x<1) => x-1
+|p| <= 1 => sqrt(x*x+y*y+z*z)-1
+# no value spreads
+if(x > 0, ln(y), 2) + if(x < 0, ln(y), 2) => nan
+if(x < 0, ln(y), 2) + x => 2+x
+min(ln(y), x) => nan
+min(x, 1/(x-0.75)) => nan
+max(x, acos(y)) => nan
+hypot(sqrt(y), x) => nan
+atan2(ln(y), x) => nan
+clamp(x, ln(y), 1) => nan
+step(ln(y), x) => nan
+smoothstep(1, 1, x) => nan
+sign(ln(y)) => nan
+|sqrt(y)| => nan
+floor(ln(y)) => nan
+0*sqrt(y) + x => nan
+x^(0*ln(y)) => nan
+sqrt(y)^2 => nan
+sqrt(y)*0 => nan
+ln(y) - ln(y) => nan
+ln(y)/ln(y) => nan
+(1/(x-x)) + 1 => nan
+x/(y-y) => nan
+w = ln(y); x => x
+f(u, v) = u; f(x, ln(y)) => x
+sum(k = 1..3, sqrt(k*y)) => nan
+sum(k = 1..0, ln(y)) + x => x
+product(k in [1, 2], ln(k - 1) + x) => nan
 # implicit multiplication
 2x => 2*x
 3(x+1) => 3*(x+1)
@@ -514,7 +798,8 @@ def main():
         point = "P"
         if program.startswith("["):
             point, program = program[1], program[4:]
-        x, y, z = (mpf(c) for c in POINTS[point])
+        # A coordinate is the f64 nearest to what is written.
+        x, y, z = (mpf(float(c)) for c in POINTS[point])
         value = eval(meaning, {**NAMES, "x": x, "y": y, "z": z})
         print(program, " ".join(POINTS[point]), written(value), sep="\t")
 

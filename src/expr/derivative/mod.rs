@@ -76,7 +76,7 @@ impl Rules<'_> {
         let node = self.graph.node(u);
         let ([a, b, _], [da, db, dc]) = (node.args, rates);
         match node.op {
-            Op::Constant(_) | Op::Pi | Op::E | Op::Floor | Op::Sign => self.zero,
+            Op::Constant(_) | Op::Pi | Op::E | Op::Floor | Op::FloorDiv(_) | Op::Sign => self.zero,
             Op::Variable(Variable::X) => seeds[0],
             Op::Variable(Variable::Y) => seeds[1],
             Op::Variable(Variable::Z) => seeds[2],

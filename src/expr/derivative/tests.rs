@@ -11,7 +11,7 @@ use crate::expr::op::{Op, Variable};
 /// The derivative of an operation at plain numbers with plain rates: written a second time, in other forms.
 fn dual(op: Op, [a, b, _]: [f64; 3], [p, q, r]: [f64; 3]) -> f64 {
     match op {
-        Op::Constant(_) | Op::Pi | Op::E | Op::Variable(_) | Op::Floor | Op::Sign => 0.0,
+        Op::Constant(_) | Op::Pi | Op::E | Op::Variable(_) | Op::Floor | Op::FloorDiv(_) | Op::Sign => 0.0,
         Op::Neg => -p,
         Op::Abs => {
             if a < 0.0 {

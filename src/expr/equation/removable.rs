@@ -36,7 +36,10 @@ fn solved_for(graph: &mut Graph, d: NodeId, variable: NodeId) -> Option<NodeId> 
 
 /// Whether a constant derivative means that the function is linear: nothing in it jumps.
 fn is_smooth(graph: &Graph, d: NodeId) -> bool {
-    graph.reachable(&[d]).into_iter().all(|id| !matches!(graph.op(id), Op::Floor | Op::Sign | Op::Choose))
+    graph
+        .reachable(&[d])
+        .into_iter()
+        .all(|id| !matches!(graph.op(id), Op::Floor | Op::FloorDiv(_) | Op::Sign | Op::Choose))
 }
 
 /// The node with a value for a variable.

@@ -127,7 +127,7 @@ impl<'a> Lowerer<'a> {
             BlockKind::Sun => "suns",
             BlockKind::Sky => "skies",
         };
-        let error = Diagnostic::error(span, format!("{later} cannot be used yet"));
+        let error = Diagnostic::error(span, format!("{later} are not built yet"));
         self.report(error.help("leave the block out; `color` works"));
     }
 
@@ -197,7 +197,7 @@ impl<'a> Lowerer<'a> {
         for attribute in attributes {
             let key = &attribute.key;
             if later.contains(&key.text.as_str()) {
-                let error = Diagnostic::error(key.span, format!("`{}` cannot be used yet", key.text));
+                let error = Diagnostic::error(key.span, format!("`{}` is not built yet", key.text));
                 self.report(error.help(format!("{owner} takes {}", one_of(known))));
             } else if !known.contains(&key.text.as_str()) {
                 let near = nearest(&key.text, known.iter().copied());
@@ -396,7 +396,8 @@ impl<'a> Lowerer<'a> {
         if (0.0..=1.0).contains(&value) {
             return Ok(value);
         }
-        Err(self.report(Diagnostic::error(expr.span, "a part of a surface's colour lies between 0 and 1")))
+        let error = Diagnostic::error(expr.span, "a part of a surface's colour lies between 0 and 1");
+        Err(self.report(error.help("divide by 255, or write the colour as `#ff8000`")))
     }
 }
 

@@ -74,6 +74,7 @@ fn operation(op: Op, a: &[&Point], out: &mut Point) {
         Op::Sub => Point::sub::<Portable>(a[0], a[1], out),
         Op::Mul => Point::mul::<Portable>(a[0], a[1], out),
         Op::Div => Point::div::<Portable>(a[0], a[1], out),
+        Op::FloorDiv(n) => Point::floor_div::<Portable>(a[0], a[1], n, out),
         Op::Min => Point::min::<Portable>(a[0], a[1], out),
         Op::Max => Point::max::<Portable>(a[0], a[1], out),
         Op::Pow => Point::pow::<Portable>(a[0], a[1], out),

@@ -5,7 +5,7 @@
 
 use super::regions::{Combination, Edge, Region};
 use super::values::{Placed, Value};
-use super::{Lowerer, Reporting, limits};
+use super::{Argument, Bound, Lowerer, Reporting, limits};
 use crate::diag::{Diagnostic, Span};
 use crate::expr::graph::NodeId;
 use crate::expr::op::Op;
@@ -247,7 +247,7 @@ impl<'a> Lowerer<'a> {
             Some(n) => Ok(n),
             None => {
                 let message = format!("{what} is a whole number, and this is {}", super::cut(&value.to_string()));
-                Err(self.report(Diagnostic::error(place, message)))
+                Err(self.report(Diagnostic::error(place, message).help("take `floor(...)` or `round(...)`")))
             }
         }
     }
@@ -261,17 +261,23 @@ impl<'a> Lowerer<'a> {
     }
 
     fn call_defined(&mut self, index: usize, name: &Name, args: &'a [Expr], span: Span) -> Reporting<Value> {
-        let placed = self.placed_all(args);
+        let values: Vec<_> = args.iter().map(|arg| self.argument(|lowerer| lowerer.expr(arg))).collect();
         self.check_count(index, name, args.len(), span)?;
-        self.applied(index, placed?.into_iter().map(|placed| placed.value).collect(), span)
+        self.applied(index, values.into_iter().collect::<Reporting<_>>()?, span)
+    }
+
+    fn argument(&mut self, lower: impl FnOnce(&mut Self) -> Reporting<Value>) -> Reporting<Argument> {
+        let (value, varies) = self.watched(lower);
+        Ok((value?, varies))
     }
 
     /// `f(x, y, z)` of names.
     pub(super) fn call_by_names(&mut self, name: &Name, args: &[Name], span: Span) -> Reporting<Value> {
-        let values: Vec<_> = args.iter().map(|arg| self.name(&arg.text, arg.span)).collect();
+        let values: Vec<_> =
+            args.iter().map(|arg| self.argument(|lowerer| lowerer.name(&arg.text, arg.span))).collect();
         let Some(index) = self.names.function(&name.text) else { return super::values::reported() };
         self.check_count(index, name, args.len(), span)?;
-        self.applied(index, values.into_iter().collect::<Reporting<Vec<Value>>>()?, span)
+        self.applied(index, values.into_iter().collect::<Reporting<_>>()?, span)
     }
 
     /// Refuses a wrong number of arguments of a program's function.
@@ -288,30 +294,37 @@ impl<'a> Lowerer<'a> {
     }
 
     /// The body with values for the parameters; the same function of the same values is lowered once.
-    pub(super) fn applied(&mut self, index: usize, values: Vec<Value>, span: Span) -> Reporting<Value> {
+    pub(super) fn applied(&mut self, index: usize, values: Vec<Argument>, span: Span) -> Reporting<Value> {
         let Some((parameters, body)) = self.names.list[index].as_function() else { return super::values::reported() };
         if self.names.list[index].poisoned {
             return super::values::reported();
         }
         self.called[index] = true;
         let key = (index, values);
-        if let Some(known) = self.calls.get(&key) {
+        if let Some((known, met)) = self.calls.get(&key) {
+            self.met_coordinate |= met;
             return known.clone();
         }
         self.enter(span, limits::CALL_WEIGHT)?;
         let before = self.diagnostics.len();
-        let arguments: Vec<Reporting<Value>> = key.1.iter().cloned().map(Ok).collect();
-        let value = self.body(parameters, arguments, body);
+        let arguments = key.1.iter().map(|(value, varies)| (Ok(value.clone()), *varies)).collect();
+        let (value, met) = self.watched(|lowerer| lowerer.body(parameters, arguments, body));
         self.leave(limits::CALL_WEIGHT);
         self.mark_call(before, span);
-        self.calls.insert(key, value.clone());
+        self.calls.insert(key, (value.clone(), met));
         value
     }
 
     /// The body with its parameters bound, and with no other bound name.
-    fn body(&mut self, parameters: &'a [Name], values: Vec<Reporting<Value>>, body: &'a Expr) -> Reporting<Value> {
+    fn body(
+        &mut self,
+        parameters: &'a [Name],
+        values: Vec<(Reporting<Value>, bool)>,
+        body: &'a Expr,
+    ) -> Reporting<Value> {
         let frame = std::mem::replace(&mut self.frame, self.scope.len());
-        self.scope.extend(parameters.iter().map(|name| name.text.as_str()).zip(values));
+        let bound = parameters.iter().zip(values);
+        self.scope.extend(bound.map(|(name, (value, varies))| Bound { name: &name.text, value, varies }));
         let value = self.expr(body);
         self.scope.truncate(self.frame);
         self.frame = frame;
@@ -324,7 +337,7 @@ impl<'a> Lowerer<'a> {
             let Some((parameters, body)) = self.names.list[index].as_function() else { continue };
             if !self.called[index] && !self.names.list[index].poisoned {
                 // The value is not wanted, only what is reported on the way to it.
-                let _ = self.body(parameters, vec![super::values::reported(); parameters.len()], body);
+                let _ = self.body(parameters, vec![(super::values::reported(), true); parameters.len()], body);
             }
         }
     }

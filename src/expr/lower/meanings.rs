@@ -14,20 +14,26 @@ use crate::syntax::functions;
 impl Lowerer<'_> {
     /// What a name stands for: bound names first, then the program's, then those everybody has.
     pub(super) fn name(&mut self, name: &str, span: Span) -> Reporting<Value> {
-        if let Some((_, value)) = self.scope[self.frame..].iter().rev().find(|(bound, _)| *bound == name) {
-            return value.clone();
+        if let Some(bound) = self.scope[self.frame..].iter().rev().find(|bound| bound.name == name) {
+            self.met_coordinate |= bound.varies;
+            return bound.value.clone();
         }
         if let Some(index) = self.names.find(name) {
             if self.names.list[index].as_function().is_some() {
                 return Err(self.function_without_arguments(name, span));
             }
-            return self.values[index].clone().unwrap_or(Err(Reported));
+            let Some((value, varies)) = &self.values[index] else { return Err(Reported) };
+            self.met_coordinate |= varies;
+            return value.clone();
         }
         self.known_name(name, span)
     }
 
     fn known_name(&mut self, name: &str, span: Span) -> Reporting<Value> {
-        let one = |lowerer: &mut Self, op| Ok(Value::Number(lowerer.node(op, &[], span)));
+        let one = |lowerer: &mut Self, op| {
+            lowerer.met_coordinate |= matches!(op, Op::Variable(_));
+            Ok(Value::Number(lowerer.node(op, &[], span)))
+        };
         match name {
             "x" => one(self, Op::Variable(Variable::X)),
             "y" => one(self, Op::Variable(Variable::Y)),
@@ -66,6 +72,7 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn coordinates(&mut self, span: Span) -> [NodeId; 3] {
+        self.met_coordinate = true;
         [Variable::X, Variable::Y, Variable::Z].map(|variable| self.node(Op::Variable(variable), &[], span))
     }
 

@@ -120,21 +120,34 @@ pub fn lower(program: &Program, settings: &Settings) -> Lowered {
     lowered
 }
 
+/// The value of a function's argument, and whether its text hangs on a coordinate.
+type Argument = (Value, bool);
+
+/// A name bound by a function or a series.
+struct Bound<'a> {
+    name: &'a str,
+    value: Reporting<Value>,
+    /// Whether the text of the value hangs on a coordinate.
+    varies: bool,
+}
+
 /// The work in hand.
 struct Lowerer<'a> {
     graph: Graph,
     names: Names<'a>,
     settings: &'a Settings,
-    /// The value of each declaration, once it is lowered.
-    values: Vec<Option<Reporting<Value>>>,
+    /// The value of each declaration, once it is lowered, and whether its text hangs on a coordinate.
+    values: Vec<Option<(Reporting<Value>, bool)>>,
     /// Names bound by functions and series, the innermost last; of a function that nothing calls without value.
-    scope: Vec<(&'a str, Reporting<Value>)>,
+    scope: Vec<Bound<'a>>,
     /// Where in `scope` the names of the current function's body begin.
     frame: usize,
     /// Of each declaration whether it is a function that was called.
     called: Vec<bool>,
     /// Calls of the program's functions that were lowered, by function and arguments.
-    calls: HashMap<(usize, Vec<Value>), Reporting<Value>>,
+    calls: HashMap<(usize, Vec<Argument>), (Reporting<Value>, bool)>,
+    /// Whether a coordinate was met in the text being lowered: folding may leave nothing of it in the graph.
+    met_coordinate: bool,
     /// The node under the root of each vector's length.
     squares_of_lengths: HashMap<NodeId, NodeId>,
     /// The depth of each node.
@@ -158,6 +171,7 @@ impl<'a> Lowerer<'a> {
             scope: Vec::new(),
             frame: 0,
             calls: HashMap::new(),
+            met_coordinate: false,
             squares_of_lengths: HashMap::new(),
             depths: Vec::new(),
             depth: 0,
@@ -184,6 +198,15 @@ impl<'a> Lowerer<'a> {
         Reported
     }
 
+    /// Does some lowering, and says whether its text hangs on a coordinate.
+    fn watched<T>(&mut self, lower: impl FnOnce(&mut Self) -> T) -> (T, bool) {
+        let before = std::mem::replace(&mut self.met_coordinate, false);
+        let value = lower(self);
+        let met = self.met_coordinate;
+        self.met_coordinate |= before;
+        (value, met)
+    }
+
     /// Lowers every definition, each after those it needs.
     fn definitions(&mut self) {
         for index in std::mem::take(&mut self.names.order) {
@@ -192,17 +215,17 @@ impl<'a> Lowerer<'a> {
                 continue;
             }
             let (name, span) = (declaration.name.text.clone(), declaration.name.span);
-            let value = match declaration.kind {
-                DeclarationKind::Value(value) => self.expr(value),
+            let (value, varies) = match declaration.kind {
+                DeclarationKind::Value(value) => self.watched(|lowerer| lowerer.expr(value)),
                 DeclarationKind::Parameter { value, low, high, step, span } => {
-                    self.parameter(&name, [value, low, high], step, span).map(Value::Number)
+                    (self.parameter(&name, [value, low, high], step, span).map(Value::Number), false)
                 }
                 DeclarationKind::Function(..) => continue,
             };
             if let Ok(value) = &value {
                 self.out.definitions.push(Definition { name, value: value.clone(), span });
             }
-            self.values[index] = Some(value);
+            self.values[index] = Some((value, varies));
         }
     }
 }

@@ -7,6 +7,7 @@ use super::limits::MAX_CHAIN;
 use super::{cut, meanings};
 use crate::diag::{Diagnostic, Span};
 use crate::syntax::ast::{Expr, ExprKind, Name, Program, SeriesRange, Statement, StatementKind};
+use crate::syntax::functions;
 use std::collections::HashMap;
 
 /// Circles reported at most: each takes time to follow, and nobody reads more.
@@ -271,7 +272,9 @@ fn each_name<'e>(expr: &'e Expr, bound: &mut Vec<&'e str>, look: &mut dyn FnMut(
             each_name(b, bound, look);
         }
         ExprKind::Call(name, args) => {
-            look(&name.text);
+            if !functions::is_of_attributes(&name.text) {
+                look(&name.text);
+            }
             args.iter().for_each(|arg| each_name(arg, bound, look));
         }
         ExprKind::And(items)

@@ -56,15 +56,16 @@ impl<'a> Lowerer<'a> {
                 self.written_power(base, &written, exponent.span, span)?
             }
             None => {
-                let exponent_node = self.number(exponent);
+                let (exponent_node, varies) = self.watched(|lowerer| lowerer.number(exponent));
                 let (base, exponent_node) = (base?, exponent_node?);
                 match self.graph.constant(exponent_node).cloned() {
-                    Some(value) => {
+                    // An exponent with x, y or z in it keeps the domain of one that varies, whatever it folds to.
+                    Some(value) if !varies => {
                         let written = Written { value, fraction: false };
                         self.written_power(base, &written, exponent.span, span)?
                     }
-                    None if self.graph.op(base) == Op::E => self.node(Op::Exp, &[exponent_node], span),
-                    None => self.node(Op::Pow, &[base, exponent_node], span),
+                    _ if self.graph.op(base) == Op::E => self.node(Op::Exp, &[exponent_node], span),
+                    _ => self.node(Op::Pow, &[base, exponent_node], span),
                 }
             }
         };

@@ -4,7 +4,7 @@
 //! because here a short text makes many nodes, and every term is counted.
 
 use super::values::{Placed, Value};
-use super::{Lowerer, Reporting};
+use super::{Argument, Bound, Lowerer, Reporting};
 use crate::diag::{Diagnostic, Span};
 use crate::expr::graph::NodeId;
 use crate::expr::op::Op;
@@ -25,7 +25,8 @@ pub(super) struct Series<'a> {
 /// What the running name takes as values.
 enum Run {
     Integers(i64, i64),
-    Items(Arc<[Value]>),
+    /// The items, and whether their text hangs on a coordinate.
+    Items(Arc<[Value]>, bool),
 }
 
 impl<'a> Lowerer<'a> {
@@ -34,10 +35,10 @@ impl<'a> Lowerer<'a> {
         let op = if series.product { Op::Mul } else { Op::Add };
         let terms = match self.run(series.over)? {
             Run::Integers(low, high) => self.terms_over_integers(series, low, high, span)?,
-            Run::Items(items) => {
+            Run::Items(items, vary) => {
                 let mut terms = Vec::with_capacity(items.len());
                 for item in items.iter() {
-                    terms.push(self.term(series, item.clone(), span)?);
+                    terms.push(self.term(series, (item.clone(), vary), span)?);
                 }
                 terms
             }
@@ -62,9 +63,10 @@ impl<'a> Lowerer<'a> {
                 let b = b.and_then(|b| self.whole(b, high.span, "a bound"));
                 Ok(Run::Integers(a?, b?))
             }
-            SeriesRange::List(list) => match self.expr(list)? {
-                Value::List(items) => Ok(Run::Items(items)),
-                other => {
+            SeriesRange::List(list) => match self.watched(|lowerer| lowerer.expr(list)) {
+                (Ok(Value::List(items)), vary) => Ok(Run::Items(items, vary)),
+                (Err(reported), _) => Err(reported),
+                (Ok(other), _) => {
                     let message = format!("{} stands where a list is wanted", other.kind());
                     let help = "a list is written `[a, b, c]`; `k = 1..10` runs over whole numbers";
                     Err(self.report(Diagnostic::error(list.span, message).help(help)))
@@ -79,14 +81,14 @@ impl<'a> Lowerer<'a> {
         let mut terms = Vec::with_capacity(count as usize);
         for k in low..low.saturating_add(count as i64) {
             let item = Value::Number(self.integer(k, series.variable.span));
-            terms.push(self.term(series, item, span)?);
+            terms.push(self.term(series, (item, false), span)?);
         }
         Ok(terms)
     }
 
-    fn term(&mut self, series: Series<'a>, item: Value, span: Span) -> Reporting<Value> {
+    fn term(&mut self, series: Series<'a>, (item, varies): Argument, span: Span) -> Reporting<Value> {
         self.count_terms(1, span)?;
-        self.scope.push((series.variable.text.as_str(), Ok(item)));
+        self.scope.push(Bound { name: &series.variable.text, value: Ok(item), varies });
         let value = self.expr(series.body);
         self.scope.pop();
         value

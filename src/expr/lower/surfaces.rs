@@ -132,9 +132,10 @@ impl<'a> Lowerer<'a> {
     fn side_of_equation(&mut self, placed: Placed) -> Reporting<Placed> {
         let (message, help) = match &placed.value {
             Value::Number(_) => return Ok(placed),
-            Value::Region(_) => {
-                ("a region stands in an equation", "write the region alone, or join regions by `and`, `or`")
-            }
+            Value::Region(_) => (
+                "a region stands in an equation",
+                "write the region alone; a number that hangs on one is `if(x > 0, 1, 0)`",
+            ),
             Value::Vector(_) => {
                 ("a vector stands in an equation", "write an equation of numbers, such as `|p - c| = 1`")
             }
@@ -174,7 +175,7 @@ impl<'a> Lowerer<'a> {
         let (text, span) = (cut(&name.text), name.span);
         let Some((parameters, body)) = self.graph_of_function(only) else { return };
         let coordinates = self.coordinates(span);
-        let values = coordinates[..parameters.len()].iter().map(|&id| Value::Number(id)).collect();
+        let values = coordinates[..parameters.len()].iter().map(|&id| (Value::Number(id), true)).collect();
         let Ok(value) = self.applied(only, values, span) else { return };
         let (f, kind, equation) = match (value, parameters.len()) {
             (Value::Region(region), _) => (region.side, Kind::Solid, text),
@@ -208,13 +209,22 @@ impl<'a> Lowerer<'a> {
             _ if functions > 1 => {
                 (first, "several functions could be drawn; write an equation such as `f(x, y, z) = 0`".to_owned())
             }
-            Some(known) => (
-                known.name.span,
-                format!(
-                    "this defines `{0}`; write `{0} = 0` as `({0}) = 0` or `{0}` alone to draw it",
-                    cut(&known.name.text)
-                ),
-            ),
+            Some(known) => {
+                let name = cut(&known.name.text);
+                let value = self.out.definition(&known.name.text).map(|definition| &definition.value);
+                let help = match value {
+                    Some(Value::Number(f)) if !self.is_number(*f) => {
+                        format!("this defines `{name}`; to draw where it is 0 write `{name}` in a statement of its own")
+                    }
+                    Some(Value::Region(_)) => {
+                        format!("this defines `{name}`; to draw it write `{name}` in a statement of its own")
+                    }
+                    _ => {
+                        format!("this defines `{name}`; write an equation of x, y and z, such as `x^2 + y^2 + z^2 = 1`")
+                    }
+                };
+                (known.name.span, help)
+            }
             None => (first, "write an equation such as `x^2 + y^2 + z^2 = 1`".to_owned()),
         };
         Diagnostic::error(span, "the program has no surface: there is nothing to draw").help(help)

@@ -204,7 +204,7 @@ fn function_name(op: Op) -> &'static str {
         Op::Atan2 => "atan2",
         Op::Choose => "if",
         Op::Constant(_) | Op::Pi | Op::E | Op::Variable(_) => "",
-        Op::Neg | Op::Power(_) | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow => "",
+        Op::Neg | Op::Power(_) | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::FloorDiv(_) | Op::Pow => "",
     }
 }
 
@@ -224,10 +224,15 @@ fn text_form(graph: &Graph, id: NodeId) -> Form {
         Op::Div => {
             (Binding::Product, vec![Piece::Node(a, Binding::Product), Text("/"), Piece::Node(b, Binding::Factor)])
         }
+        Op::FloorDiv(n) => {
+            let start = if n == 1 { "floor(".to_owned() } else { format!("floor({n}*") };
+            let numerator = Piece::Node(a, if n == 1 { Binding::Product } else { Binding::Factor });
+            (Binding::Atom, vec![Owned(start), numerator, Text("/"), Piece::Node(b, Binding::Factor), Text(")")])
+        }
         Op::Power(n) => (Binding::Power, vec![Piece::Node(a, Binding::Atom), Owned(format!("^{n}"))]),
         Op::Pow => {
-            // A constant exponent must not be read as one "written as" a whole number or a fraction.
-            let front = if graph.constant(b).is_some() { "^(0 + " } else { "^(" };
+            // A constant exponent must be read as one that varies, not as a whole number or a fraction.
+            let front = if graph.constant(b).is_some() { "^(0*x + " } else { "^(" };
             (Binding::Power, vec![Piece::Node(a, Binding::Atom), Text(front), Free(b), Text(")")])
         }
         Op::Root(n) if n != 3 => (Binding::Atom, vec![Owned(format!("root({n}, ")), Free(a), Text(")")]),
@@ -298,6 +303,11 @@ fn latex_form(graph: &Graph, id: NodeId) -> Form {
         Op::Root(n) => (Binding::Atom, vec![Owned(format!("\\sqrt[{n}]{{")), Free(a), Text("}")]),
         Op::Abs => (Binding::Atom, vec![Text("\\left|"), Free(a), Text("\\right|")]),
         Op::Floor => (Binding::Atom, vec![Text("\\left\\lfloor "), Free(a), Text("\\right\\rfloor ")]),
+        Op::FloorDiv(n) => {
+            let factor = if n == 1 { String::new() } else { format!("{n} \\cdot ") };
+            let start = Owned(format!("\\left\\lfloor {factor}\\frac{{"));
+            (Binding::Atom, vec![start, Free(a), Text("}{"), Free(b), Text("}\\right\\rfloor ")])
+        }
         Op::Choose => {
             let start = vec![Text("\\begin{cases}"), Free(b), Text(" & "), Free(a), Text(" \\le 0\\\\")];
             (Binding::Atom, start.into_iter().chain([Free(c), Text(" & \\text{otherwise}\\end{cases}")]).collect())

@@ -27,12 +27,6 @@ fn text_reads_back_as_the_same_node() {
     for _ in 0..20_000 {
         let mut graph = Graph::new();
         let id = random_node(&mut graph, &mut random);
-        // An exponent that is whole only after folding has no spelling; the language cannot make it either.
-        let whole =
-            |id: NodeId| graph.op(id) == Op::Pow && graph.constant(graph.args(id)[1]).is_some_and(|c| c.is_integer());
-        if graph.reachable(&[id]).into_iter().any(whole) {
-            continue;
-        }
         let Some(shown) = text(&graph, id, 2000) else { continue };
         let again = formula(&mut graph, &shown);
         assert_eq!(again, id, "{shown} became {:?}", text(&graph, again, 2000));
@@ -70,7 +64,7 @@ fn text_has_the_fewest_brackets() {
         ("-3*x*y", "-3*x*y"),
         ("(x^2)^-1", "1/x^2"),
         ("(x/y)^2", "(x/y)^2"),
-        ("x^0.3", "x^(0 + 0.3)"),
+        ("x^0.3", "x^(0*x + 0.3)"),
         ("x^y", "x^(y)"),
         ("if(x <= 0, y, z)", "if(x <= 0, y, z)"),
         ("root(5, x) + cbrt(y)", "root(5, x) + cbrt(y)"),

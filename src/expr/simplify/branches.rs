@@ -38,6 +38,32 @@ pub(super) fn repeated(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<Nod
     }
 }
 
+/// max(u, -u) = |u|, min(u, -u) = -|u|: both sides of one boundary, as in `x <= 0 or x >= 0`.
+pub(super) fn both_sides(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<NodeId> {
+    let &[a, b] = args else { return None };
+    if !is_extreme(op) || !is_negated(graph, a, b) {
+        return None;
+    }
+    let size = graph.apply(Op::Abs, &[a]);
+    Some(if op == Op::Max { size } else { graph.apply(Op::Neg, &[size]) })
+}
+
+/// Whether a = -b in the forms that simplification leaves: -u and u, u - v and v - u, u + 1 and -1 - u.
+fn is_negated(graph: &Graph, a: NodeId, b: NodeId) -> bool {
+    let ([p, q, _], [r, s, _]) = (graph.node(a).args, graph.node(b).args);
+    let opposite =
+        |c: NodeId, d: NodeId| graph.constant(c).zip(graph.constant(d)).is_some_and(|(c, d)| *c == d.negated());
+    match (graph.op(a), graph.op(b)) {
+        (Op::Sub, Op::Sub) => p == s && q == r,
+        (Op::Add, Op::Sub) => p == s && opposite(q, r),
+        (Op::Sub, Op::Add) => r == q && opposite(s, p),
+        _ => {
+            let ((c, u, _), (d, v, _)) = (graph.coefficient(a), graph.coefficient(b));
+            u == v && c == d.negated()
+        }
+    }
+}
+
 pub(super) fn opposites(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<NodeId> {
     let &[a, b] = args else { return None };
     let opposite = match op {

@@ -98,7 +98,7 @@ pub(super) fn known_sign(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<N
 pub(super) fn whole(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<NodeId> {
     let (Op::Floor, &[a]) = (op, args) else { return None };
     match graph.op(a) {
-        Op::Floor | Op::Sign => Some(a),
+        Op::Floor | Op::FloorDiv(_) | Op::Sign => Some(a),
         Op::Add => {
             let [u, c, _] = graph.node(a).args;
             if !graph.constant(c)?.is_integer() {
@@ -109,4 +109,53 @@ pub(super) fn whole(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<NodeId
         }
         _ => None,
     }
+}
+
+/// The largest whole factor of a quotient under a floor: every whole number up to it is an f64.
+const MOST_FACTOR: i64 = 1 << 53;
+
+pub(super) fn floor_of_quotient(graph: &mut Graph, op: Op, args: &[NodeId]) -> Option<NodeId> {
+    match (op, args) {
+        (Op::Floor, &[a]) => floor_of_fraction(graph, a),
+        (Op::FloorDiv(n), &[u, v]) => {
+            let n = graph.integer(n);
+            let numerator = graph.apply(Op::Mul, &[n, u]);
+            let quotient = graph.apply(Op::Div, &[numerator, v]);
+            Some(graph.apply(Op::Floor, &[quotient]))
+        }
+        _ => None,
+    }
+}
+
+/// floor(p*u/(q*v)) for a fraction p/q in front that rounding could spoil.
+fn floor_of_fraction(graph: &mut Graph, a: NodeId) -> Option<NodeId> {
+    let (mut c, mut u, _) = graph.coefficient(a);
+    let mut v = graph.integer(1);
+    if graph.op(u) == Op::Div {
+        [u, v, _] = graph.node(u).args;
+        if let Some(numerator) = graph.constant(u) {
+            c = c.times(numerator)?;
+            u = graph.integer(1);
+        }
+    } else if graph.constant(a).is_some() || is_power_of_two(&c) {
+        return None;
+    }
+    let (p, q) = c.to_fraction()?;
+    if p == 0 || p.abs() > MOST_FACTOR {
+        return None;
+    }
+    // A whole factor that the numerator takes into itself, as in 2*(1/x) = 2/x, is none in front.
+    let numerator = graph.scaled(&Rational::from_integer(p), u, false);
+    let (factor, inner, _) = graph.coefficient(numerator);
+    let (n, u) = match factor.to_i64() {
+        Some(n) if inner == u => (n.abs(), graph.scaled(&Rational::from_integer(n.signum()), u, false)),
+        _ => (1, numerator),
+    };
+    let v = graph.scaled(&Rational::from_integer(q), v, false);
+    Some(graph.intern(Op::FloorDiv(n), &[u, v]))
+}
+
+/// Whether a product with it has no rounding error.
+fn is_power_of_two(c: &Rational) -> bool {
+    c.numerator().magnitude().count_ones() == 1 && c.denominator().magnitude().count_ones() == 1
 }

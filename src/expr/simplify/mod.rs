@@ -36,7 +36,7 @@ const fn rule(name: &'static str, statement: &'static str, rewrite: Rewrite) -> 
 }
 
 /// The rules in the order in which they are tried; the first that applies wins.
-pub static RULES: [Rule; 33] = [
+pub static RULES: [Rule; 35] = [
     rule("trivial power", "u^1 = u; u^0 = 1 where u is defined; u^-1 = 1/u", factors::trivial_power),
     rule("exact arithmetic", "2 + 3*4 = 14, sqrt(9/4) = 3/2, in fractions", constants::arithmetic),
     rule("exact function value", "sin(0) = 0, exp(0) = 1, ln(e) = 1, log2(8) = 3, ...", constants::function_value),
@@ -76,9 +76,15 @@ pub static RULES: [Rule; 33] = [
     rule("logarithm of an exponential", "ln(exp(u)) = u; exp(ln(u)) = u only where u > 0 is known", functions::inverse),
     rule("known sign", "sign(u) = 1 where u > 0 is known", functions::known_sign),
     rule("floor of a whole number", "floor(floor(u)) = floor(u), floor(u + 2) = floor(u) + 2", functions::whole),
+    rule(
+        "floor of a quotient",
+        "floor(2*u/(3*v)) is one operation, of the quotient before rounding",
+        functions::floor_of_quotient,
+    ),
     rule("least of equals", "min(u, u) = u, max(u, u) = u", branches::equals),
     rule("least of constants", "min(2, 3) = 2, min(min(u, 2), 3) = min(u, 2)", branches::constants),
     rule("repeated least", "min(min(u, v), v) = min(u, v)", branches::repeated),
+    rule("both sides", "max(u, -u) = |u|, min(u, -u) = -|u|", branches::both_sides),
     rule("least of opposites", "min(-u, -v) = -max(u, v)", branches::opposites),
     rule(
         "decided condition",

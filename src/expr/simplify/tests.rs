@@ -3,6 +3,7 @@
 use crate::expr::estimate::{Estimate, Random, estimates};
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::{Op, Variable};
+use crate::num::rational::Rational;
 
 /// A random formula, as it was asked for and as the rules made it.
 fn pair(graph: &mut Graph, random: &mut Random) -> (NodeId, NodeId) {
@@ -164,6 +165,52 @@ fn what_people_write_becomes_one_form() {
             node!(g, Op::Power(9), nine)
         },
         |g, [x, ..]| g.intern(Op::Power(729), &[x]),
+    );
+    check(
+        "min(x - 1, 1 - x) is -|x - 1|",
+        |g, [x, ..]| {
+            let one = g.integer(1);
+            let (a, b) = (node!(g, Op::Sub, x, one), node!(g, Op::Sub, one, x));
+            node!(g, Op::Min, a, b)
+        },
+        |g, [x, ..]| {
+            let one = g.integer(1);
+            let a = node!(g, Op::Sub, x, one);
+            let size = node!(g, Op::Abs, a);
+            g.intern(Op::Neg, &[size])
+        },
+    );
+    check(
+        "floor(x/y) is one operation",
+        |g, [x, y, _]| {
+            let quotient = node!(g, Op::Div, x, y);
+            node!(g, Op::Floor, quotient)
+        },
+        |g, [x, y, _]| g.intern(Op::FloorDiv(1), &[x, y]),
+    );
+    check(
+        "floor(-0.6*x) is floor(3*(-x)/5)",
+        |g, [x, ..]| {
+            let c = g.number(Rational::from_fraction(-3, 5).unwrap());
+            let product = node!(g, Op::Mul, c, x);
+            node!(g, Op::Floor, product)
+        },
+        |g, [x, ..]| {
+            let (minus, five) = (g.intern(Op::Neg, &[x]), g.integer(5));
+            g.intern(Op::FloorDiv(3), &[minus, five])
+        },
+    );
+    check(
+        "the floor of x/4 is that of 0.25*x",
+        |g, [x, ..]| {
+            let four = g.integer(4);
+            node!(g, Op::FloorDiv(1), x, four)
+        },
+        |g, [x, ..]| {
+            let four = g.integer(4);
+            let quotient = node!(g, Op::Div, x, four);
+            g.intern(Op::Floor, &[quotient])
+        },
     );
     check(
         "sin(pi/6) is 1/2",

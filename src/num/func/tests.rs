@@ -2,7 +2,9 @@
 #![allow(clippy::print_stdout)]
 
 use super::*;
+use crate::num::interval::Interval;
 use crate::num::level::Portable;
+use crate::num::rational::Rational;
 
 /// One function of the table: ours, the correctly rounded one, where to try it, its bound in ulp.
 struct Row {
@@ -87,4 +89,34 @@ fn errors_stay_within_their_bounds() {
             assert!(worst.0 <= row.bound.max(1.0), "{} {range:?}: {} ulp at {:e}", row.name, worst.0, worst.1);
         }
     }
+}
+
+/// ⌊n·a/b⌋ in fractions.
+fn whole_quotient(n: i64, a: f64, b: f64) -> f64 {
+    let [a, b] = [a, b].map(|x| Rational::from_f64(x).unwrap());
+    Rational::from_integer(n).times(&a).unwrap().over(&b).unwrap().floor().to_f64()
+}
+
+#[test]
+fn a_quotient_that_only_rounds_to_a_whole_number_has_its_true_floor() {
+    let rows = [(2.0, 0.1, 19.0), (1.0, 0.1, 9.0), (-2.0, 0.1, -20.0), (2.0, -0.1, -20.0), (6.0, 3.0, 2.0)];
+    for (a, b, whole) in rows {
+        assert_eq!(floor_div::<Portable>(1.0, a, b), whole, "{a}/{b}");
+    }
+    let (mut near, mut corrected) = (0, 0);
+    for b in numbers((-8.0, 8.0), 200) {
+        for k in -25..25 {
+            let n = 1 + i64::from((k + 25) % 7);
+            let at = f64::from(k) * b / n as f64;
+            for a in [at.next_down(), at, at.next_up()] {
+                let expected = whole_quotient(n, a, b);
+                assert_eq!(floor_div::<Portable>(n as f64, a, b), expected, "{n}*{a:e}/{b:e}");
+                let known = Interval::point(a).floor_over(n, Interval::point(b)).range;
+                assert!(known.lo <= expected && expected <= known.hi, "{a:e}/{b:e} in {known:?}");
+                near += 1;
+                corrected += u32::from((n as f64 * a / b).floor() != expected);
+            }
+        }
+    }
+    assert!(corrected * 20 > near, "{corrected} of {near}: the rows do not show the difference");
 }

@@ -7,6 +7,7 @@ use super::round::{above, above_vanishing, below, product_down, product_up, quot
 use super::round::{root_down, root_up, sum_down, sum_up};
 use super::{Enclosure, Interval};
 use crate::num::func::{self, bound, native};
+use crate::num::level::Portable;
 
 /// Whole powers up to this size have the stated error bound; larger ones lose 2^-104 of relative precision a
 /// squaring, which the bound then grows by.
@@ -72,6 +73,23 @@ impl Interval {
     pub fn floor(self) -> Enclosure {
         let range = Interval { lo: self.lo.floor(), hi: self.hi.floor() };
         if range.lo == range.hi { Enclosure::total(range) } else { Enclosure::jumping(range) }
+    }
+
+    /// largest whole number ≤ n·a / b, n in 1…2^53
+    pub fn floor_over(self, n: i64, other: Self) -> Enclosure {
+        if other.hi < 0.0 {
+            return self.negated().range.floor_over(n, other.negated().range);
+        }
+        let factor = n as f64;
+        if other.lo > 0.0 {
+            let end = |a: f64, b: f64| func::floor_div::<Portable>(factor, a, b);
+            let lo = end(self.lo, if self.lo < 0.0 { other.lo } else { other.hi });
+            let hi = end(self.hi, if self.hi < 0.0 { other.hi } else { other.lo });
+            if lo.abs() < func::EXACT_WHOLE && hi.abs() < func::EXACT_WHOLE {
+                return Interval { lo, hi }.floor();
+            }
+        }
+        Interval::point(factor).times(self).over(Enclosure::total(other)).floor()
     }
 
     /// the smaller

@@ -116,6 +116,18 @@ impl Interval {
         Pieces::of(&each)
     }
 
+    /// Whole numbers that ⌊n·a/b⌋ takes, on each side of b = 0.
+    pub fn floor_over_pieces(self, n: i64, other: Self) -> Pieces {
+        if other.lo > 0.0 || other.hi < 0.0 {
+            return self.floor_over(n, other).range.floor_pieces();
+        }
+        let mut sides = Interval::point(n as f64).times(self).range.over_pieces(other);
+        for side in &mut sides.list[..sides.count] {
+            *side = side.floor().range;
+        }
+        sides
+    }
+
     /// The signs that occur.
     pub fn sign_pieces(self) -> Pieces {
         let each = [-1.0, 0.0, 1.0].map(|s: f64| {

@@ -65,7 +65,7 @@ pub(super) fn repair_pairs<const N: usize>(
     b: &IntervalLanes<N>,
     out: &mut IntervalLanes<N>,
     marked: &Mask<N>,
-    f: fn(Enclosure, Enclosure) -> Enclosure,
+    f: impl Fn(Enclosure, Enclosure) -> Enclosure,
 ) {
     for i in 0..N {
         if marked[i] != 0 {
@@ -229,6 +229,33 @@ pub(super) fn floor<const N: usize>(a: &IntervalLanes<N>, out: &mut IntervalLane
     }
     out.flags = a.flags;
     mark(&mut out.flags, &jumps, JUMP);
+}
+
+#[inline(always)]
+pub(super) fn floor_div<L: Level, const N: usize>(
+    a: &IntervalLanes<N>,
+    b: &IntervalLanes<N>,
+    n: i64,
+    out: &mut IntervalLanes<N>,
+) {
+    let n = n as f64;
+    let (mut odd, mut jumps) = ([0; N], [0; N]);
+    for i in 0..N {
+        // Both mirrored where the divisor is negative.
+        let mirrored = b.hi[i] < 0.0;
+        let (al, ah) = if mirrored { (-a.hi[i], -a.lo[i]) } else { (a.lo[i], a.hi[i]) };
+        let (bl, bh) = if mirrored { (-b.hi[i], -b.lo[i]) } else { (b.lo[i], b.hi[i]) };
+        let lo = func::floor_div::<L>(n, al, if al < 0.0 { bl } else { bh });
+        let hi = func::floor_div::<L>(n, ah, if ah < 0.0 { bh } else { bl });
+        (out.lo[i], out.hi[i]) = (lo, hi);
+        jumps[i] = word(lo != hi);
+        odd[i] = word(!((bl > 0.0) & (lo.abs() < func::EXACT_WHOLE) & (hi.abs() < func::EXACT_WHOLE)));
+    }
+    join(&a.flags, &b.flags, &mut out.flags);
+    mark(&mut out.flags, &jumps, JUMP);
+    if any(&odd) {
+        repair_pairs(a, b, out, &odd, |a, b| a.floor_over(n as i64, b));
+    }
 }
 
 #[inline(always)]

@@ -53,7 +53,7 @@ const WRONG: &[(&str, u32, &str, &str)] = &[
     ("p", 1, "a vector is no surface", "="),
     ("[x, y]", 1, "a list is no surface", "="),
     ("p - (1,2,3) = (0,0,0)", 1, "a vector stands in an equation", "|p - c|"),
-    ("(x < 0) = 1", 1, "a region stands in an equation", "and"),
+    ("(x < 0) = 1", 1, "a region stands in an equation", "if("),
     ("y = [1, 2]", 5, "a list stands in an equation", "sum("),
     ("(1, 2, 3, 4) = x", 1, "a vector has two or three numbers", "[a, b, c, d]"),
     ("L = [1, 2]; L + x", 13, "a list stands where a number is wanted", "sum("),
@@ -91,7 +91,7 @@ const WRONG: &[(&str, u32, &str, &str)] = &[
     // Attributes and blocks.
     ("x = 1 { colour: red }", 9, "no attribute `colour`", "did you mean `color`?"),
     ("x = 1 { banana: 1 }", 9, "no attribute `banana`", "takes"),
-    ("x = 1 { material: gold }", 9, "`material` cannot be used yet", "takes"),
+    ("x = 1 { material: gold }", 9, "`material` is not built yet", "takes"),
     ("x = 1 { color: 3 }", 16, "`color` wants a colour", "#4af"),
     ("x = 1 { color: rgb(1, 2) }", 16, "a colour has three numbers, and this has 2", "rgb(red, green, blue)"),
     ("x = 1 { color: rgb(1, 2, 0) }", 23, "lies between 0 and 1", ""),
@@ -112,8 +112,8 @@ const WRONG: &[(&str, u32, &str, &str)] = &[
     ("x = 1; render { samples: 0 }", 26, "`samples` wants a whole number from 1", ""),
     ("x = 1; render { samples: 1.5 }", 26, "`samples` is a whole number, and this is 1.5", ""),
     ("x = 1; render { sise: 8x8 }", 17, "no attribute `sise`", "did you mean `size`?"),
-    ("x = 1; light { at: (1,2,3) }", 8, "lights cannot be used yet", ""),
-    ("x = 1; sky { radiance: 1 }", 8, "skies cannot be used yet", ""),
+    ("x = 1; light { at: (1,2,3) }", 8, "lights are not built yet", ""),
+    ("x = 1; sky { radiance: 1 }", 8, "skies are not built yet", ""),
 ];
 
 #[test]
