@@ -4,13 +4,16 @@
 //! is judged here is more than one module.
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
 
+mod again;
 mod cli;
 mod closures;
 mod command;
 mod grammar;
 mod long_texts;
 mod npy;
+mod passes;
 mod pictures;
+mod terminal;
 mod tidy;
 mod tidy_scan;
 mod truth;
