@@ -316,7 +316,7 @@ pub fn read<T: Parser>(argv: &[OsString]) -> Result<T, Refusal> {
     let corrected = parsed.as_ref().err().and_then(|error| super::mend::corrected(error, &command, argv));
     match corrected.or_else(|| super::dashes::complaint(&command, argv)) {
         Some(text) => Err(Refusal { text, is_answer: false }),
-        None => parsed.map_err(|error| Refusal { text: error.render().to_string(), is_answer: !error.use_stderr() }),
+        None => parsed.map_err(|error| Refusal { is_answer: !error.use_stderr(), text: super::mend::plain(error) }),
     }
 }
 

@@ -10,6 +10,27 @@ use std::ffi::{OsStr, OsString};
 const COUNTS: [(&str, usize); 6] =
     [("--eye", 3), ("--look-at", 3), ("--ball", 4), ("--box", 6), ("--at", 3), ("--over", 6)];
 
+/// What is written behind an equation, and tried as options.
+const ATTRIBUTES: [(&str, &str); 3] =
+    [("--color", "color: red"), ("--colour", "color: red"), ("--clip", "clip: z >= 0")];
+
+/// What clap says, without its advice to take an unknown option for a program.
+pub fn plain(mut error: clap::Error) -> String {
+    error.remove(ContextKind::Suggested);
+    let text = error.render().to_string();
+    let unknown = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(option)) if error.kind() == ErrorKind::UnknownArgument => option.as_str(),
+        _ => return text,
+    };
+    match ATTRIBUTES.into_iter().find(|(option, _)| *option == unknown) {
+        Some((_, written)) => format!(
+            "error: there is no option {unknown}; it is written behind the equation:\n\n  \
+             implicit 'x^2 + y^2 + z^2 = 1 {{ {written} }}'\n"
+        ),
+        None => text,
+    }
+}
+
 /// The words, if the command that is meant can be told.
 pub fn corrected(error: &clap::Error, command: &clap::Command, argv: &[OsString]) -> Option<String> {
     let words: Vec<&OsStr> = argv.get(1..)?.iter().map(OsString::as_os_str).collect();

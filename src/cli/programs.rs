@@ -38,9 +38,8 @@ pub fn load(args: &ProgramArgs) -> Result<Program, Complaint> {
         return Err(complaint);
     }
     if !program.diagnostics.is_empty() {
-        let mut text = render(&program.diagnostics, &program.sources, console::has_colour());
-        text.push('\n');
-        console::say(&text);
+        let text = render(&program.diagnostics, &program.sources, console::has_colour());
+        console::say(&format!("{}\n", text.trim_end()));
     }
     Ok(program)
 }

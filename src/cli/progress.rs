@@ -1,7 +1,6 @@
 //! Looking on while a picture is drawn: the bar, the clock, the end of the time, the file after every pass.
 //!
-//! In: what a drawing tells. Out: a bar on standard error, only on a terminal and only for the patient; whether to go
-//! on.
+//! In: what a drawing tells. Out: a bar on standard error, only on a terminal; whether to go on.
 
 use super::clock::Clock;
 use super::complaint::Complaint;
@@ -56,7 +55,8 @@ impl Watch for Progress<'_> {
     fn advanced(&self, done: usize, total: usize) {
         if !self.bar.is_hidden() {
             self.bar.set_length(total as u64);
-            self.bar.set_position(done as u64);
+            // Threads report in any order; the bar never goes back.
+            self.bar.set_position(self.bar.position().max(done as u64));
         }
     }
 

@@ -52,6 +52,7 @@ pub fn run(args: RenderArgs) -> Result<(), Complaint> {
     }
     write(&args, &destination, &plan, &drawing, &notes, &mut stages, clock)?;
     say_pass(&args, drawing.pass);
+    say_emptiness(&args, &drawing);
     Ok(())
 }
 
@@ -125,6 +126,28 @@ fn say_pass(args: &RenderArgs, pass: Pass) {
     if !args.program.quiet {
         console::say(&format!("note: the time was up; the picture has {what}\n"));
     }
+}
+
+/// Says so if no ray met a surface, and what may be the reason.
+fn say_emptiness(args: &RenderArgs, drawing: &Drawing) {
+    let report = drawing.report;
+    let is_empty = report.misses > 0 && report.hits + report.touch + report.undecided == 0;
+    if !is_empty || args.program.quiet {
+        return;
+    }
+    let given = [
+        ("--box", args.clip_box.is_some()),
+        ("--ball", args.ball.is_some()),
+        ("--eye", args.eye.is_some()),
+        ("--look-at", args.look_at.is_some()),
+        ("--orbit", args.orbit.is_some()),
+    ];
+    let names: Vec<&str> = given.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
+    let mend = match names[..] {
+        [] => "a larger --size may show what is smaller than a pixel".into(),
+        _ => format!("without {} the program finds what there is to see", names.join(" and ")),
+    };
+    console::say(&format!("note: the picture is empty, no pixel's ray meets a surface; {mend}\n"));
 }
 
 /// Refuses a picture that is larger than its file's format allows.

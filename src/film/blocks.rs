@@ -21,30 +21,49 @@ pub enum Colours {
 /// Characters by how much of their place they cover, as most type faces have them.
 const COVERING: &[u8] = b" .:-=+*#%@";
 
-/// The lines of a picture of `width` × `height` pixels, two pixels a character from top to bottom, with the ends of
-/// lines.
+/// The lines of a picture of `size` pixels, two of them a character from top to bottom, with the ends of lines.
 pub fn draw(picture: &Layer<[f32; 3]>, tone: Tone, size: Size, colours: Colours) -> String {
     let small = shrunk(picture, size);
-    let mut text = String::new();
-    for row in 0..size.height().div_ceil(2) {
-        let mut before = None;
-        for i in 0..size.width() {
+    let row = |row: u32| {
+        let small = &small;
+        (0..size.width()).map(move |i| {
             let upper = tone.bytes(small.at(i, 2 * row));
             let lower = if 2 * row + 1 < size.height() { tone.bytes(small.at(i, 2 * row + 1)) } else { upper };
-            if colours == Colours::None {
-                text.push(covering(upper, lower));
-                continue;
-            }
-            if before != Some((upper, lower)) {
-                text += &paint("38", upper, colours);
-                text += &paint("48", lower, colours);
-                before = Some((upper, lower));
-            }
-            text.push('▀');
-        }
-        text += if colours == Colours::None { "\n" } else { "\x1b[0m\n" };
+            (upper, lower)
+        })
+    };
+    let rows = (0..size.height().div_ceil(2)).map(|j| row(j).collect::<Vec<_>>());
+    match colours {
+        Colours::None => covering(&rows.collect::<Vec<_>>()),
+        Colours::Palette | Colours::True => rows.map(|row| painted(&row, colours)).collect(),
     }
-    text
+}
+
+/// Half blocks in the colours of their pixels.
+fn painted(row: &[([u8; 3], [u8; 3])], colours: Colours) -> String {
+    let mut text = String::new();
+    let mut before = None;
+    for &(upper, lower) in row {
+        if before != Some((upper, lower)) {
+            text += &paint("38", upper, colours);
+            text += &paint("48", lower, colours);
+            before = Some((upper, lower));
+        }
+        text.push('▀');
+    }
+    text + "\x1b[0m\n"
+}
+
+/// Characters by light, from the darkest of the picture to its lightest.
+fn covering(rows: &[Vec<([u8; 3], [u8; 3])>]) -> String {
+    // The light of sRGB's primaries (IEC 61966-2-1), in thousandths.
+    let light = |[r, g, b]: [u8; 3]| 213 * usize::from(r) + 715 * usize::from(g) + 72 * usize::from(b);
+    let of_cell = |&(upper, lower): &([u8; 3], [u8; 3])| light(upper) + light(lower);
+    let all = || rows.iter().flatten().map(of_cell);
+    let (least, most) = (all().min().unwrap_or(0), all().max().unwrap_or(0));
+    let range = (most - least).max(1);
+    let character = |cell| COVERING[((of_cell(cell) - least) * (COVERING.len() - 1) + range / 2) / range] as char;
+    rows.iter().map(|row| row.iter().map(character).chain(['\n']).collect::<String>()).collect()
 }
 
 /// The largest picture of the shape `of` that fits into so many characters of two pixels each.
@@ -106,13 +125,6 @@ fn palette(colour: [u8; 3]) -> u8 {
     }
 }
 
-fn covering(upper: [u8; 3], lower: [u8; 3]) -> char {
-    // The light of sRGB's primaries (IEC 61966-2-1), in thousandths.
-    let light = |[r, g, b]: [u8; 3]| 213 * usize::from(r) + 715 * usize::from(g) + 72 * usize::from(b);
-    let share = (light(upper) + light(lower)) * (COVERING.len() - 1);
-    COVERING[(share + 255_000) / (2 * 255_000)] as char
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,7 +139,7 @@ mod tests {
         assert_eq!(text(Colours::True), expected);
         let expected = "\x1b[38;5;196m\x1b[48;5;16m▀\x1b[38;5;16m\x1b[48;5;231m▀\x1b[0m\n";
         assert_eq!(text(Colours::Palette), expected);
-        assert_eq!(text(Colours::None), ".+\n");
+        assert_eq!(text(Colours::None), " @\n");
     }
 
     #[test]

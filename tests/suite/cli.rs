@@ -88,6 +88,10 @@ const ROWS: &[(&str, i32, &str)] = &[
     ("x^2+y^2+z^2=1|-o", 2, "a value is required"),
     ("x^2+y^2+z^2=1|--depth|a.png", 2, "must end in .exr"),
     ("x^2+y^2+z^2=1|-o|a.png|--no-such-option", 2, "--no-such-option"),
+    ("x^2+y^2+z^2=1|-o|a.png|--colour|red", 2, "implicit 'x^2 + y^2 + z^2 = 1 { color: red }'"),
+    ("x^2+y^2+z^2=1|-o|a.png|--siz|8x6", 2, "exists: '--size'"),
+    ("x^2+y^2+z^2=1|-o|a.png|-s|8x6|--box|5,6,5,6,5,6", 0, "empty, no pixel's ray meets a surface; without --box the"),
+    ("x^2+y^2+z^2=1|-o|a.png|-s|8x6|--eye|0,0,5|--look-at|0,0,9", 0, "without --eye and --look-at the program finds"),
     ("x^2+y^2+z^2=1|-o|missing/a.png", 1, "cannot write 'missing/a.png'"),
     ("x^2+y^2+z^2+1=0|-o|a.png", 1, "there is nothing to see: f > 0 everywhere"),
     ("sqrt(-1-x^2)=y|-o|a.png", 1, "there is nothing to see: f has no value"),
@@ -136,9 +140,30 @@ fn commands_end_with_their_status_and_words_and_leave_no_file_behind_when_they_f
 }
 
 #[test]
+fn shells_and_man_get_what_they_read() {
+    let folder = Folder::new();
+    let rows = [
+        ("bash", "_implicit()"),
+        ("zsh", "#compdef implicit"),
+        ("fish", "complete -c implicit"),
+        ("elvish", "set edit:completion:arg-completer[implicit]"),
+        ("powershell", "Register-ArgumentCompleter"),
+        ("man", ".TH implicit 1"),
+    ];
+    for (script, start) in rows {
+        let said = folder.run(&["completions", script]);
+        let text = String::from_utf8(said.out).unwrap();
+        assert_eq!((said.status, said.err.as_str()), (0, ""));
+        assert!(
+            text.contains(start) && ["time", "studio", "eval", "completions"].iter().all(|word| text.contains(word))
+        );
+    }
+}
+
+#[test]
 fn quiet_commands_say_nothing() {
     let folder = Folder::new();
-    let said = folder.run(&words("1/2x=y|-o|a.png|-s|8x6|--quiet|--ball|0,0,0,2"));
+    let said = folder.run(&words("1/2x=y|-o|a.png|-s|8x6|--quiet|--ball|0,0,0,2|--eye|9,9,9|--look-at|99,9,9"));
     assert_eq!((said.status, said.err.as_str()), (0, ""));
 }
 
