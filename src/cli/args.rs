@@ -71,30 +71,30 @@ pub struct ProgramArgs {
 #[command(name = "implicit", version, disable_help_flag = true, help_template = HELP, term_width = 80)]
 #[command(override_usage = "implicit [OPTIONS] PROGRAM...\n       implicit COMMAND ...")]
 pub struct RenderArgs {
-    /// png jpg webp tiff exr, or - for stdout [terminal]
+    /// png jpg webp tiff exr, or - for stdout (terminal)
     ///
     /// The ending says which kind of file it is: png, jpg, webp, tiff, or exr with linear light; `-` is PNG on standard
     /// output. A PNG carries the program that draws it again (`implicit import`). Without this and without
     /// `--depth`, `--normals` and `--stats-json` the picture is shown in the terminal.
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
-    /// Width and height in pixels [800x600]
+    /// Width and height in pixels (800x600)
     ///
     /// At most 2^26 pixels.
     #[arg(short, long, value_name = "WxH", allow_hyphen_values = true)]
     pub size: Option<Size>,
-    /// Where the eye is [found]
+    /// Where the eye is (found)
     #[arg(long, value_name = "X,Y,Z", value_parser = numbers::<3>, allow_hyphen_values = true)]
     pub eye: Option<[f64; 3]>,
-    /// Where it looks [the middle of it all]
+    /// Where it looks (the middle of it all)
     ///
     /// Without it, at the middle of the clip region, given or found.
     #[arg(long, value_name = "X,Y,Z", value_parser = numbers::<3>, allow_hyphen_values = true)]
     pub look_at: Option<[f64; 3]>,
-    /// Vertical field of view in degrees [40]
+    /// Vertical field of view in degrees (40)
     #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true)]
     pub fov: Option<f64>,
-    /// Eye by azimuth, elevation, distance [found]
+    /// Eye by azimuth, elevation, distance (found)
     ///
     /// In degrees around where it looks: azimuth from x towards y, elevation upward. From above: 0,90.
     #[arg(long, value_name = "AZ,EL[,DIST]", value_parser = orbit, allow_hyphen_values = true, conflicts_with = "eye")]
@@ -102,13 +102,13 @@ pub struct RenderArgs {
     /// Parallel rays, the picture so high in the world
     #[arg(long, value_name = "HEIGHT", value_parser = positive, allow_hyphen_values = true)]
     pub ortho: Option<f64>,
-    /// Show only what is in X0,X1,Y0,Y1,Z0,Z1 [found]
+    /// Show only what is in X0,X1,Y0,Y1,Z0,Z1 (found)
     ///
     /// The clip region of all surfaces: it replaces the program's own. Without one the program finds what there is to
     /// see and prints what it chose.
     #[arg(long = "box", value_name = "BOX", value_parser = box_bounds, allow_hyphen_values = true)]
     pub clip_box: Option<BoxArg>,
-    /// Show only what is in a ball [found]
+    /// Show only what is in a ball (found)
     ///
     /// As `--box`; both together show what is in both.
     #[arg(long, value_name = "X,Y,Z,R", value_parser = ball, allow_hyphen_values = true)]
@@ -124,7 +124,7 @@ pub struct RenderArgs {
     /// How roots are found: `faithful` proves where no root is; `march` is the textbook's method, which samples the ray.
     #[arg(long, value_enum, default_value = "faithful", hide_possible_values = true, hide_default_value = true)]
     pub method: MethodArg,
-    /// Step of march [diameter / 256]
+    /// Step of march (diameter / 256)
     #[arg(long, value_name = "H", value_parser = positive, allow_hyphen_values = true)]
     pub step: Option<f64>,
     /// Most samples a pixel, where it pays
@@ -132,10 +132,10 @@ pub struct RenderArgs {
     /// More than one are taken where neighbours differ. The default depends on the mode.
     #[arg(long, value_name = "N", value_parser = whole::<1, MAX_SAMPLES>, allow_hyphen_values = true)]
     pub samples: Option<u64>,
-    /// Most scattering events of a path [8]
+    /// Most scattering events of a path (8)
     #[arg(long, value_name = "N", value_parser = whole::<0, MAX_BOUNCES>, allow_hyphen_values = true)]
     pub bounces: Option<u64>,
-    /// Seed of random numbers [0]
+    /// Seed of random numbers (0)
     #[arg(long, value_name = "N", value_parser = whole::<0, { u64::MAX }>, allow_hyphen_values = true)]
     pub seed: Option<u64>,
     /// Distances to the first hit, channel Z
@@ -154,7 +154,7 @@ pub struct RenderArgs {
     /// The same for programs
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub stats_json: Option<PathBuf>,
-    /// Threads [all cores]
+    /// Threads (all cores)
     ///
     /// From 1 to 1024; the picture is the same for any number.
     #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]

@@ -282,6 +282,16 @@ fn standard_output_takes_a_picture_and_may_be_full_or_closed() {
         let output = Command::new(PROGRAM).args(SMALL).args(["-o", "-"]).stdout(full).output().unwrap();
         let said_full = said(output);
         assert!(said_full.status == 1 && said_full.err.contains("standard output"), "{}", said_full.err);
+        let said_full = folder.run(&[&SMALL[..], &["-o", "/dev/full"]].concat());
+        assert!(said_full.status == 1 && said_full.err.contains("no space left"), "{}", said_full.err);
+        for args in [&["--help"][..], &["completions", "man"], &["eval", "x", "--at", "1,2,3"]] {
+            let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+            assert_eq!(
+                Command::new(PROGRAM).args(args).stdout(full).output().unwrap().status.code(),
+                Some(1),
+                "{args:?}"
+            );
+        }
         let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
         let status = Command::new(PROGRAM).args(["x=("]).args(["-o", "a.png"]).stderr(full).status().unwrap();
         assert_eq!(status.code(), Some(1));
@@ -295,6 +305,10 @@ fn standard_output_takes_a_picture_and_may_be_full_or_closed() {
         .unwrap();
     drop(child.stdout.take());
     assert_eq!(said(child.wait_with_output().unwrap()).status, 1);
+    // Who reads text and has had enough is content.
+    let mut child = Command::new(PROGRAM).arg("--help").stdout(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    assert_eq!(child.wait().unwrap().code(), Some(0));
 }
 
 #[cfg(unix)]
@@ -327,6 +341,12 @@ fn arguments_that_are_no_text_are_refused() {
     for (args, status) in rows {
         assert_eq!(folder.run(args).status, status);
     }
+    let picture = OsStr::from_bytes(b"\xff.png");
+    let args: Vec<&OsStr> = SMALL.iter().map(OsStr::new).chain([OsStr::new("-o"), picture]).collect();
+    assert_eq!(folder.run(&args).status, 0);
+    assert_eq!(folder.run(&[OsStr::new("import"), picture]).status, 0);
+    let said = folder.run(&[OsStr::new("import"), OsStr::from_bytes(b"\xfe.png")]);
+    assert!(said.status == 1 && said.err.contains("no such file"), "{}", said.err);
 }
 
 #[cfg(target_os = "linux")]
