@@ -7,7 +7,7 @@
 //! - [`mod@include`]: programs that include others.
 //! - [`program`]: texts to formulas.
 //! - [`plan`]: formulas to surfaces, a camera and settings.
-//! - [`recipe`]: the program that draws a picture again.
+//! - [`mod@recipe`]: the program that draws a picture again.
 
 pub mod include;
 pub mod plan;

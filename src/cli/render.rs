@@ -38,8 +38,8 @@ pub fn run(args: RenderArgs) -> Result<(), Complaint> {
     let plan = Plan::new(&mut program, &wishes).map_err(|refusal| refused(refusal, &program))?;
     check_sides(&destination, plan.settings.size)?;
     say_region(&args, &plan);
-    stages.compiled = clock.now();
     let notes = notes(&destination, &program, &wishes, &plan);
+    stages.compiled = clock.now();
     let keep = |drawing: &Drawing| write_picture(&destination, &plan, drawing, &notes, Outputs::default())?.commit();
     let keep: Option<Keep> = if args.progressive { Some(&keep) } else { None };
     let progress = Progress::new(clock, args.program.quiet, args.time_budget, keep);

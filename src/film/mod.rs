@@ -7,7 +7,7 @@
 //! - [`layer`]: one value a pixel.
 //! - [`srgb`]: linear light to the eight bits a screen shows.
 //! - [`tone`]: how light or data is shown.
-//! - [`format`]: which file it becomes; [`png`], [`jpeg`], [`webp`], [`tiff`], [`exr`]: the files.
+//! - [`mod@format`]: which file it becomes; [`png`], [`jpeg`], [`webp`], [`tiff`], [`exr`]: the files.
 //! - [`blocks`]: the picture in characters of a terminal.
 
 pub mod blocks;

@@ -15,8 +15,8 @@ pub struct Canvas {
     /// The drawing so far.
     pub drawing: Drawing,
     known: Layer<Knowledge>,
-    /// The picture as the last pass left it, while the next draws over it.
-    whole: Option<Layer<[f32; 3]>>,
+    /// The colours of the squares that the last pass left, while the next draws over them.
+    squares: Option<Layer<[f32; 3]>>,
     /// By tile, the pixels that get more samples.
     edges: Vec<Vec<Edge>>,
 }
@@ -48,7 +48,7 @@ impl Canvas {
                 pass: Pass::Last,
             },
             known: Layer::filled(known_size, Knowledge::MISS),
-            whole: None,
+            squares: None,
             edges: Vec::new(),
         }
     }
@@ -87,22 +87,31 @@ impl Canvas {
         self.edges[tile.index] = edges;
     }
 
-    /// Remembers the picture, for the case that the next pass is not finished.
-    pub fn remember(&mut self) {
-        self.whole = Some(self.drawing.picture.clone());
+    /// Remembers a picture of squares of this side, for the case that the next pass is not finished.
+    pub fn remember(&mut self, side: u32) {
+        let size = self.drawing.picture.size;
+        let Ok(count) = Size::new(size.width().div_ceil(side).into(), size.height().div_ceil(side).into()) else {
+            return;
+        };
+        let corner = |k: u32| self.drawing.picture.at(k % count.width() * side, k / count.width() * side);
+        let values = (0..count.width() * count.height()).map(corner).collect();
+        self.squares = Some(Layer { size: count, values });
     }
 
     /// The next pass is finished.
     pub fn forget(&mut self) {
-        self.whole = None;
+        self.squares = None;
     }
 
     /// The drawing as the last whole pass left it.
-    pub fn into_drawing(self) -> Drawing {
-        match self.whole {
-            Some(picture) => Drawing { picture, ..self.drawing },
-            None => self.drawing,
+    pub fn into_drawing(mut self) -> Drawing {
+        if let (Some(squares), Pass::Squares(side)) = (&self.squares, self.drawing.pass) {
+            let size = self.drawing.picture.size;
+            for (i, j) in (0..size.height()).flat_map(|j| (0..size.width()).map(move |i| (i, j))) {
+                self.drawing.picture.set(i, j, squares.at(i / side, j / side));
+            }
         }
+        self.drawing
     }
 
     /// Adds what a thread did to the report.

@@ -245,7 +245,7 @@ impl<'a, T: Trace> Job<'a, T> {
         for &square in coarse(self.settings) {
             pass(&tiles(self.settings.size, square), &|worker, tile| worker.draw_squares(tile, square))?;
             self.passed(Pass::Squares(square));
-            lock(self.canvas).remember();
+            lock(self.canvas).remember(square);
         }
         let tiles = tiles(self.settings.size, 1);
         pass(&tiles, &|worker, tile| worker.draw_centres(tile))?;
