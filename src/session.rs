@@ -7,11 +7,14 @@
 //! - [`mod@include`]: programs that include others.
 //! - [`program`]: texts to formulas.
 //! - [`plan`]: formulas to surfaces, a camera and settings.
+//! - [`mod@recipe`]: the program that draws a picture again.
 
 pub mod include;
 pub mod plan;
 pub mod program;
+pub mod recipe;
 
 pub use include::{Loaded, Loader, NoFiles};
 pub use plan::{Method, Plan, Refusal, Wishes};
 pub use program::{Program, Text};
+pub use recipe::recipe;

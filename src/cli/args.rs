@@ -3,37 +3,56 @@
 //! In: the process's arguments. Out: plain values, each checked on its own; or the message and exit status that the
 //! command line deserves. The doc comments are the help.
 
+use super::values::{
+    ball, box_bounds, field_of_view, mode, numbers, on_line, orbit, positive, setting, threads, whole,
+};
 use crate::film::Size;
 use crate::num::rational::Rational;
 use crate::render::Mode;
-use crate::session::plan::LATER_MODES;
-use clap::{Args, Parser, ValueEnum};
+use clap::{ArgAction, Args, Parser, ValueEnum, ValueHint};
+use clap_complete::Shell;
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
-/// The most threads that are started, whatever is asked for.
-pub const MAX_THREADS: usize = 1024;
-
 /// The most samples a pixel.
-const MAX_SAMPLES: u32 = 65_536;
+const MAX_SAMPLES: u64 = 65_536;
 
-const COMMANDS: &str = "\
-Commands (the first argument):
-  check PROGRAM...   read programs, print notes and errors, draw nothing
-  eval PROGRAM...    print f and its gradient at a point, or an enclosure of f over a box
+/// The most scattering events of a path: more than any path has before its light is below a byte's step.
+const MAX_BOUNCES: u64 = 1 << 16;
 
-Programs:
+/// Everything on one screen of 80 columns, examples first; `{options}` is clap's list.
+const HELP: &str = "\
+Type an equation and see its surface, exactly.
+
   implicit 'x^2 + y^2 + z^2 = 1' -o sphere.png
-  implicit 'z = sin(x)*cos(y)' --box -6,6,-6,6,-2,2 -o waves.png
-  implicit scene.imp --size 1600x1200 -o scene.png";
+  implicit 'z = sin x cos y' --box -6,6,-6,6,-2,2 --size 1600x1200 -o waves.jpg
+  implicit 'x^2 + y^2 = a^2; a = 1 in [0, 2]' 'z = 0' --set a=0.5 -o two.png
+
+{usage-heading} implicit [OPTIONS] PROGRAM...   draw: PROGRAM is text, a file.imp, or -
+       implicit check PROGRAM...       print errors and notes, draw nothing
+       implicit eval PROGRAM... --at X,Y,Z | --over BOX    value or bounds of f
+       implicit import PICTURE.png     print the program that drew a picture
+       implicit completions SHELL      for bash, zsh, fish, ...; man: the manual
+
+{options}
+
+The whole language: grammar.md. More on the options: implicit completions man";
+
+/// What the help of a command shows.
+const COMMAND_HELP: &str = "{about}\n\n{usage-heading} {usage}\n\n{all-args}{after-help}";
 
 /// Which programs, and how to read them: the same in every command.
 #[derive(Args, Debug)]
 pub struct ProgramArgs {
-    /// A program: its text, or a file that ends in .imp, or - for standard input; several are joined
-    #[arg(value_name = "PROGRAM", required = true)]
+    /// Text, a file that ends in .imp, or - for standard input
+    ///
+    /// Several are joined, as if they were the statements of one program. One that starts with a minus needs `--`
+    /// before it.
+    #[arg(value_name = "PROGRAM", required = true, value_hint = ValueHint::FilePath)]
     pub programs: Vec<OsString>,
     /// A parameter's value; repeatable
+    ///
+    /// A parameter is written `a = 0.5 in [0, 1]`.
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting, allow_hyphen_values = true)]
     pub set: Vec<(String, Rational)>,
     /// No progress, no notes
@@ -42,87 +61,123 @@ pub struct ProgramArgs {
     /// Notes are errors
     #[arg(long)]
     pub strict: bool,
+    /// This text
+    #[arg(short, long, action = ArgAction::HelpShort)]
+    help: Option<bool>,
 }
 
 /// Type an equation and see its surface, exactly.
 #[derive(Parser, Debug)]
-#[command(name = "implicit", version, after_help = COMMANDS, max_term_width = 100)]
+#[command(name = "implicit", version, disable_help_flag = true, help_template = HELP, term_width = 80)]
 #[command(override_usage = "implicit [OPTIONS] PROGRAM...\n       implicit COMMAND ...")]
 pub struct RenderArgs {
-    /// The programs.
-    #[command(flatten)]
-    pub program: ProgramArgs,
-    /// The picture, by its ending: png or exr (linear light); - is PNG on standard output
-    #[arg(short, long, value_name = "FILE")]
+    /// png jpg webp tiff exr, or - for stdout (terminal)
+    ///
+    /// The ending says which kind of file it is: png, jpg, webp, tiff, or exr with linear light; `-` is PNG on standard
+    /// output. A PNG carries the program that draws it again (`implicit import`). Without this and without
+    /// `--depth`, `--normals` and `--stats-json` the picture is shown in the terminal.
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
-    /// Width and height in pixels [default: 800x600]
-    #[arg(short, long, value_name = "WxH")]
+    /// Width and height in pixels (800x600)
+    ///
+    /// At most 2^26 pixels.
+    #[arg(short, long, value_name = "WxH", allow_hyphen_values = true)]
     pub size: Option<Size>,
-    /// Where the eye is [default: found]
+    /// Where the eye is (found)
     #[arg(long, value_name = "X,Y,Z", value_parser = numbers::<3>, allow_hyphen_values = true)]
     pub eye: Option<[f64; 3]>,
-    /// Where it looks [default: the middle of what there is to see]
+    /// Where it looks (the middle of it all)
+    ///
+    /// Without it, at the middle of the clip region, given or found.
     #[arg(long, value_name = "X,Y,Z", value_parser = numbers::<3>, allow_hyphen_values = true)]
     pub look_at: Option<[f64; 3]>,
-    /// Vertical field of view in degrees [default: 40]
-    #[arg(long, value_name = "DEG", value_parser = field_of_view)]
+    /// Vertical field of view in degrees (40)
+    #[arg(long, value_name = "DEG", value_parser = field_of_view, allow_hyphen_values = true)]
     pub fov: Option<f64>,
-    /// The eye by azimuth, elevation (degrees) and distance around where it looks
+    /// Eye by azimuth, elevation, distance (found)
+    ///
+    /// In degrees around where it looks: azimuth from x towards y, elevation upward. From above: 0,90.
     #[arg(long, value_name = "AZ,EL[,DIST]", value_parser = orbit, allow_hyphen_values = true, conflicts_with = "eye")]
     pub orbit: Option<OrbitArg>,
-    /// Parallel rays, the picture HEIGHT world units high
-    #[arg(long, value_name = "HEIGHT", value_parser = positive)]
+    /// Parallel rays, the picture so high in the world
+    #[arg(long, value_name = "HEIGHT", value_parser = positive, allow_hyphen_values = true)]
     pub ortho: Option<f64>,
-    /// Show only what is in this box
-    #[arg(long = "box", value_name = "X0,X1,Y0,Y1,Z0,Z1", value_parser = box_bounds, allow_hyphen_values = true)]
+    /// Show only what is in X0,X1,Y0,Y1,Z0,Z1 (found)
+    ///
+    /// The clip region of all surfaces: it replaces the program's own. Without one the program finds what there is to
+    /// see and prints what it chose.
+    #[arg(long = "box", value_name = "BOX", value_parser = box_bounds, allow_hyphen_values = true)]
     pub clip_box: Option<BoxArg>,
-    /// Show only what is in this ball
+    /// Show only what is in a ball (found)
+    ///
+    /// As `--box`; both together show what is in both.
     #[arg(long, value_name = "X,Y,Z,R", value_parser = ball, allow_hyphen_values = true)]
     pub ball: Option<BallArg>,
-    /// What the colours say
+    /// studio cosine mirror normal depth cost proof
+    ///
+    /// What the colours say: a look that flatters any surface (the default); the cosine of the angle between normal and
+    /// light; the same after a mirror; the normal; the distance; how many enclosures a ray took; what is proven.
     #[arg(long, value_name = "MODE", value_parser = mode)]
     pub mode: Option<Mode>,
-    /// How roots are found: faithful never misses one, march is the textbook method
-    #[arg(long, value_enum, default_value = "faithful")]
+    /// faithful (the default, misses no root) or march
+    ///
+    /// How roots are found: `faithful` proves where no root is; `march` is the textbook's method, which samples the ray.
+    #[arg(long, value_enum, default_value = "faithful", hide_possible_values = true, hide_default_value = true)]
     pub method: MethodArg,
-    /// Step of --method march [default: the region's diameter / 256]
-    #[arg(long, value_name = "H", value_parser = positive)]
+    /// Step of march (diameter / 256)
+    #[arg(long, value_name = "H", value_parser = positive, allow_hyphen_values = true)]
     pub step: Option<f64>,
-    /// The most samples a pixel, taken where neighbours differ [default: by mode]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
-    pub samples: Option<u32>,
-    /// The most scattering events of a path [default: 8]
-    #[arg(long, value_name = "N")]
-    pub bounces: Option<u32>,
-    /// Seed of random numbers [default: 0]
-    #[arg(long, value_name = "N")]
+    /// Most samples a pixel, where it pays
+    ///
+    /// More than one are taken where neighbours differ. The default depends on the mode.
+    #[arg(long, value_name = "N", value_parser = whole::<1, MAX_SAMPLES>, allow_hyphen_values = true)]
+    pub samples: Option<u64>,
+    /// Most scattering events of a path (8)
+    #[arg(long, value_name = "N", value_parser = whole::<0, MAX_BOUNCES>, allow_hyphen_values = true)]
+    pub bounces: Option<u64>,
+    /// Seed of random numbers (0)
+    #[arg(long, value_name = "N", value_parser = whole::<0, { u64::MAX }>, allow_hyphen_values = true)]
     pub seed: Option<u64>,
-    /// Distances to the first hit, as an EXR of one channel Z
-    #[arg(long, value_name = "FILE.exr")]
+    /// Distances to the first hit, channel Z
+    ///
+    /// As an EXR file of one channel Z: from the eye through each pixel's centre, +inf where nothing is hit.
+    #[arg(long, value_name = "FILE.exr", value_hint = ValueHint::FilePath)]
     pub depth: Option<PathBuf>,
-    /// Normals at the first hit, as an EXR of channels X Y Z
-    #[arg(long, value_name = "FILE.exr")]
+    /// Unit normals there, channels X Y Z
+    ///
+    /// As an EXR file of channels X Y Z, turned to the eye; NaN where nothing is hit.
+    #[arg(long, value_name = "FILE.exr", value_hint = ValueHint::FilePath)]
     pub normals: Option<PathBuf>,
-    /// Print what is proven and what it took
+    /// Say what is proven, and what it took
     #[arg(long)]
     pub stats: bool,
     /// The same for programs
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub stats_json: Option<PathBuf>,
-    /// Threads [default: all cores]
-    #[arg(long, value_name = "N", value_parser = threads)]
+    /// Threads (all cores)
+    ///
+    /// From 1 to 1024; the picture is the same for any number.
+    #[arg(long, value_name = "N", value_parser = threads, allow_hyphen_values = true)]
     pub threads: Option<usize>,
     /// Stop after S seconds with the last whole pass
-    #[arg(long, value_name = "S", value_parser = positive, hide = true)]
+    ///
+    /// The first pass is always finished: coarse squares, or one ray a pixel if `--depth`, `--normals` or statistics are
+    /// asked for.
+    #[arg(long, value_name = "S", value_parser = positive, allow_hyphen_values = true)]
     pub time_budget: Option<f64>,
     /// Replace the file after every pass
-    #[arg(long, hide = true)]
+    ///
+    /// Coarse squares first, then one ray a pixel, then more samples where they are needed.
+    #[arg(long)]
     pub progressive: bool,
+    /// The programs.
+    #[command(flatten)]
+    pub program: ProgramArgs,
 }
 
 /// Read programs, print notes and errors, draw nothing.
 #[derive(Parser, Debug)]
-#[command(name = "implicit check", max_term_width = 100)]
+#[command(name = "implicit check", bin_name = "implicit check", disable_help_flag = true, help_template = COMMAND_HELP, term_width = 80)]
 pub struct CheckArgs {
     /// The programs.
     #[command(flatten)]
@@ -132,9 +187,9 @@ pub struct CheckArgs {
     pub of: Option<String>,
 }
 
-/// Print f and its gradient at a point, or an enclosure of f over a box; one line a surface.
+/// Print f and its gradient at a point, or bounds of f over a box; one line a surface.
 #[derive(Parser, Debug)]
-#[command(name = "implicit eval", max_term_width = 100)]
+#[command(name = "implicit eval", bin_name = "implicit eval", disable_help_flag = true, help_template = COMMAND_HELP, term_width = 80)]
 #[command(group = clap::ArgGroup::new("where").required(true).args(["at", "over"]))]
 pub struct EvalArgs {
     /// The programs.
@@ -143,8 +198,8 @@ pub struct EvalArgs {
     /// The point, or - for one a line on standard input
     #[arg(long, value_name = "X,Y,Z", value_parser = on_line::<3>, allow_hyphen_values = true)]
     pub at: Option<Place<3>>,
-    /// The box, or - for one a line on standard input; inf is allowed
-    #[arg(long, value_name = "X0,X1,Y0,Y1,Z0,Z1", value_parser = on_line::<6>, allow_hyphen_values = true)]
+    /// X0,X1,Y0,Y1,Z0,Z1 (inf is allowed), or - for lines of input
+    #[arg(long, value_name = "BOX", value_parser = on_line::<6>, allow_hyphen_values = true)]
     pub over: Option<Place<6>>,
     /// This definition instead of the surfaces
     #[arg(long, value_name = "NAME")]
@@ -152,6 +207,47 @@ pub struct EvalArgs {
     /// One JSON object a line
     #[arg(long)]
     pub json: bool,
+}
+
+/// Print the program that draws a PNG picture again, with its camera and region.
+#[derive(Parser, Debug)]
+#[command(name = "implicit import", bin_name = "implicit import", help_template = COMMAND_HELP, term_width = 80)]
+#[command(after_help = "  implicit import sphere.png > again.imp\n  implicit again.imp -o same.png")]
+pub struct ImportArgs {
+    /// A picture that this program wrote
+    #[arg(value_name = "PICTURE.png", value_hint = ValueHint::FilePath)]
+    pub picture: PathBuf,
+}
+
+/// Print what a shell needs to complete our options, or the manual page.
+#[derive(Parser, Debug)]
+#[command(name = "implicit completions", bin_name = "implicit completions", help_template = COMMAND_HELP, term_width = 80)]
+#[command(after_help = "\
+  bash:  implicit completions bash > ~/.local/share/bash-completion/completions/implicit
+  zsh:   implicit completions zsh > _implicit     in a folder of $fpath
+  fish:  implicit completions fish > ~/.config/fish/completions/implicit.fish
+  man:   implicit completions man | man -l -")]
+pub struct CompletionsArgs {
+    /// bash, zsh, fish, elvish, powershell, or man for the manual page
+    #[arg(value_name = "SHELL", value_parser = script)]
+    pub script: Script,
+}
+
+/// What `completions` prints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Script {
+    /// What this shell reads.
+    Completions(Shell),
+    /// The manual page.
+    Manual,
+}
+
+fn script(name: &str) -> Result<Script, String> {
+    if name == "man" {
+        return Ok(Script::Manual);
+    }
+    let shell = Shell::from_str(name, true).map_err(|_| "there are bash, zsh, fish, elvish, powershell and man")?;
+    Ok(Script::Completions(shell))
 }
 
 /// Numbers on the command line, or that they come on standard input.
@@ -215,11 +311,13 @@ pub struct Refusal {
 /// # Errors
 /// The text of help and version, or what is wrong with the command line.
 pub fn read<T: Parser>(argv: &[OsString]) -> Result<T, Refusal> {
-    if let Some(text) = super::dashes::complaint(&T::command(), argv) {
-        return Err(Refusal { text, is_answer: false });
+    let command = T::command();
+    let parsed = T::try_parse_from(argv);
+    let corrected = parsed.as_ref().err().and_then(|error| super::mend::corrected(error, &command, argv));
+    match corrected.or_else(|| super::dashes::complaint(&command, argv)) {
+        Some(text) => Err(Refusal { text, is_answer: false }),
+        None => parsed.map_err(|error| Refusal { is_answer: !error.use_stderr(), text: super::mend::plain(error) }),
     }
-    T::try_parse_from(argv)
-        .map_err(|error| Refusal { text: error.render().to_string(), is_answer: !error.use_stderr() })
 }
 
 /// How an option of a command takes a value.
@@ -251,120 +349,6 @@ pub fn option_of(command: &clap::Command, name: &OsStr) -> Option<Takes> {
     })
 }
 
-fn number(text: &str) -> Result<f64, String> {
-    text.trim().parse().map_err(|_| format!("'{}' is no number", text.trim().escape_debug()))
-}
-
-fn finite(text: &str) -> Result<f64, String> {
-    match number(text)? {
-        value if value.is_finite() => Ok(value),
-        _ => Err(format!("'{}' is not finite", text.trim().escape_debug())),
-    }
-}
-
-/// N numbers with commas or blanks between them.
-///
-/// # Errors
-/// What is wrong with the text.
-pub fn listed<const N: usize>(text: &str) -> Result<[f64; N], String> {
-    let parts: Vec<&str> = match text.contains(',') {
-        true => text.split(',').collect(),
-        false => text.split_whitespace().collect(),
-    };
-    let values = parts.iter().map(|part| number(part)).collect::<Result<Vec<f64>, String>>()?;
-    values
-        .try_into()
-        .map_err(|v: Vec<f64>| format!("{N} numbers with commas between them are needed, here are {}", v.len()))
-}
-
-fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
-    let values = listed::<N>(text)?;
-    for part in text.split(',') {
-        finite(part)?;
-    }
-    Ok(values)
-}
-
-fn on_line<const N: usize>(text: &str) -> Result<Place<N>, String> {
-    if text == "-" { Ok(Place::Lines) } else { listed(text).map(Place::Here) }
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    match finite(text)? {
-        value if value > 0.0 => Ok(value),
-        _ => Err("it must be more than 0".into()),
-    }
-}
-
-fn field_of_view(text: &str) -> Result<f64, String> {
-    match finite(text)? {
-        value if value > 0.0 && value < 180.0 => Ok(value),
-        _ => Err("it must be more than 0 and less than 180 degrees".into()),
-    }
-}
-
-fn threads(text: &str) -> Result<usize, String> {
-    let digits = text.trim();
-    if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
-        return Err(format!("'{}' is no whole number", digits.escape_debug()));
-    }
-    Ok(digits.parse().unwrap_or(MAX_THREADS).clamp(1, MAX_THREADS))
-}
-
-fn orbit(text: &str) -> Result<OrbitArg, String> {
-    if let Ok([azimuth, elevation]) = numbers::<2>(text) {
-        return Ok(OrbitArg { azimuth, elevation, distance: None });
-    }
-    let [azimuth, elevation, distance] = numbers::<3>(text)
-        .map_err(|_| "azimuth and elevation, and a distance if you like, are needed: 30,20,5".to_owned())?;
-    if distance <= 0.0 {
-        return Err("the distance must be more than 0".into());
-    }
-    Ok(OrbitArg { azimuth, elevation, distance: Some(distance) })
-}
-
-fn box_bounds(text: &str) -> Result<BoxArg, String> {
-    let [x0, x1, y0, y1, z0, z1] = numbers::<6>(text)?;
-    for (name, low, high) in [("x", x0, x1), ("y", y0, y1), ("z", z0, z1)] {
-        if low >= high {
-            return Err(format!("in {name} the lower end {low} is not below the upper end {high}"));
-        }
-    }
-    Ok(BoxArg { min: [x0, y0, z0], max: [x1, y1, z1] })
-}
-
-fn ball(text: &str) -> Result<BallArg, String> {
-    let [x, y, z, radius] = numbers::<4>(text)?;
-    if radius <= 0.0 {
-        return Err("the radius must be more than 0".into());
-    }
-    Ok(BallArg { center: [x, y, z], radius })
-}
-
-fn setting(text: &str) -> Result<(String, Rational), String> {
-    let (name, value) = text.split_once('=').ok_or("write NAME=VALUE, as in a=0.7")?;
-    let negative = value.trim().strip_prefix('-');
-    let digits = negative.unwrap_or(value).trim();
-    let rational = Rational::from_decimal(digits).ok_or_else(|| format!("'{}' is no number", value.escape_debug()))?;
-    Ok((name.trim().to_owned(), if negative.is_some() { rational.negated() } else { rational }))
-}
-
-/// The mode of a name.
-///
-/// # Errors
-/// That there is none, with those there are.
-pub fn mode(name: &str) -> Result<Mode, String> {
-    if let Some(mode) = Mode::from_name(name) {
-        return Ok(mode);
-    }
-    let names: Vec<&str> = Mode::ALL.iter().map(|(name, _)| *name).collect();
-    let known = names.join(", ");
-    match LATER_MODES.contains(&name) {
-        true => Err(format!("the mode '{name}' is not built yet; there are {known}")),
-        false => Err(format!("there is no mode '{}'; there are {known}", name.escape_debug())),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -375,23 +359,14 @@ mod tests {
         RenderArgs::command().debug_assert();
         CheckArgs::command().debug_assert();
         EvalArgs::command().debug_assert();
+        ImportArgs::command().debug_assert();
+        CompletionsArgs::command().debug_assert();
     }
 
     #[test]
-    fn values_are_read_and_refused() {
-        assert_eq!(numbers::<3>("-1, 2,3e-1"), Ok([-1.0, 2.0, 0.3]));
-        assert!(numbers::<3>("1,2").is_err() && numbers::<3>("1,2,inf").is_err() && numbers::<3>("a,b,c").is_err());
-        assert_eq!(listed::<3>("1 2\t3"), Ok([1.0, 2.0, 3.0]));
-        assert_eq!(threads("0"), Ok(1));
-        assert_eq!(threads("99999999999999999999999"), Ok(1024));
-        assert!(threads("-1").is_err() && threads("two").is_err());
-        assert_eq!(orbit("10,-20"), Ok(OrbitArg { azimuth: 10.0, elevation: -20.0, distance: None }));
-        assert!(orbit("10,20,-3").is_err() && orbit("10").is_err());
-        assert!(box_bounds("1,0,0,1,0,1").unwrap_err().contains("in x"));
-        assert!(ball("0,0,0,0").is_err());
-        let half = Rational::from_fraction(-1, 2).unwrap();
-        assert_eq!(setting("a=-0.5"), Ok(("a".into(), half)));
-        assert!(setting("a").is_err() && setting("a=b").is_err());
-        assert!(mode("path").unwrap_err().contains("not built yet"));
+    fn the_help_fits_on_one_screen() {
+        let help = RenderArgs::command().render_help().to_string();
+        let widest = help.lines().map(|line| line.chars().count()).max();
+        assert!(help.lines().count() <= 50 && widest <= Some(80), "{} {widest:?}\n{help}", help.lines().count());
     }
 }

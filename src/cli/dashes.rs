@@ -5,8 +5,8 @@
 //! options.
 
 use super::args::{Takes, option_of};
+use super::shell;
 use std::ffi::{OsStr, OsString};
-use std::fmt::Write;
 
 /// What to say if a program starts with a minus and stands where options do.
 pub fn complaint(command: &clap::Command, argv: &[OsString]) -> Option<String> {
@@ -15,18 +15,11 @@ pub fn complaint(command: &clap::Command, argv: &[OsString]) -> Option<String> {
     let mut corrected = sorted.options;
     corrected.push(OsStr::new("--"));
     corrected.extend(sorted.programs.iter().map(|(program, _)| *program));
-    let mut text = format!(
-        "error: '{}' starts with a minus and is no option; a program that does needs -- before it:\n\n ",
-        shown(first)
-    );
-    for word in argv.iter().take(1).map(|_| command.get_name()).flat_map(|name| name.split(' ')) {
-        let _ = write!(text, " {word}");
-    }
-    for word in corrected {
-        let _ = write!(text, " {}", quoted(word));
-    }
-    text.push('\n');
-    Some(text)
+    Some(format!(
+        "error: '{}' starts with a minus and is no option; a program that does needs -- before it:\n\n  {}\n",
+        shell::shown(first),
+        shell::command(command.get_name(), corrected.into_iter())
+    ))
 }
 
 /// The arguments by what they are.
@@ -88,20 +81,6 @@ fn is_option(command: &clap::Command, word: &OsStr) -> bool {
         }
         _ => false,
     }
-}
-
-/// A word as a shell takes it.
-fn quoted(word: &OsStr) -> String {
-    let text = shown(word);
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,=:+@%".contains(c);
-    if !text.is_empty() && text.chars().all(is_plain) {
-        return text;
-    }
-    format!("'{}'", text.replace('\'', r"'\''"))
-}
-
-fn shown(word: &OsStr) -> String {
-    word.to_string_lossy().chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
 }
 
 #[cfg(test)]

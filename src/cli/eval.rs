@@ -2,8 +2,9 @@
 //!
 //! In: programs, points or boxes on the command line or on standard input. Out: a line a surface, as text or JSON.
 
-use super::args::{EvalArgs, Place, listed};
+use super::args::{EvalArgs, Place};
 use super::complaint::Complaint;
+use super::values::listed;
 use super::{console, programs};
 use crate::closure::Formula;
 use crate::diag::{nearest, printable};

@@ -120,7 +120,8 @@ fn create_beside(target: &Path) -> io::Result<NamedTempFile> {
     Ok(file)
 }
 
-fn directory_of(path: &Path) -> &Path {
+/// The folder that a file is in.
+pub fn directory_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),

@@ -38,9 +38,8 @@ pub fn load(args: &ProgramArgs) -> Result<Program, Complaint> {
         return Err(complaint);
     }
     if !program.diagnostics.is_empty() {
-        let mut text = render(&program.diagnostics, &program.sources, console::has_colour());
-        text.push('\n');
-        console::say(&text);
+        let text = render(&program.diagnostics, &program.sources, console::has_colour());
+        console::say(&format!("{}\n", text.trim_end()));
     }
     Ok(program)
 }
@@ -49,7 +48,11 @@ pub fn load(args: &ProgramArgs) -> Result<Program, Complaint> {
 fn files_meant(args: &ProgramArgs) -> String {
     let is_file = |program: &&std::ffi::OsString| !is_program_file(program) && Path::new(program).is_file();
     let say = |program: &std::ffi::OsString| {
-        format!("note: '{}' is a file; the name of a program's file must end in .imp\n", files::shown(program))
+        let name = files::shown(program);
+        match Path::new(program).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+            true => format!("note: '{name}' is a picture; to print the program that drew it: implicit import FILE\n"),
+            false => format!("note: '{name}' is a file; the name of a program's file must end in .imp\n"),
+        }
     };
     args.programs.iter().filter(is_file).map(say).collect()
 }

@@ -5,28 +5,21 @@
 use super::args::{MethodArg, RenderArgs};
 use super::clock::Clock;
 use super::complaint::Complaint;
-use super::output::{self, Outputs, STDOUT};
-use super::progress::Progress;
+use super::destination::{self, Destination};
+use super::import::KEYWORD;
+use super::output::Outputs;
+use super::progress::{Keep, Progress};
 use super::stats::{self, Stages};
+use super::terminal::Terminal;
 use super::{console, programs};
-use crate::film::{exr, png};
+use crate::film::{Format, Size, exr};
 use crate::num::level::Simd;
-use crate::render::Drawing;
+use crate::render::{Drawing, Pass, Passes};
 use crate::scene::{Orbit, View};
+use crate::session::recipe::{recipe, region_option};
 use crate::session::{Method, Plan, Program, Refusal, Wishes};
 use crate::surface::Shape;
 use glam::DVec3;
-use std::path::{Path, PathBuf};
-
-/// Endings of pictures that the design has and this version does not.
-const LATER_ENDINGS: [&str; 5] = ["jpg", "jpeg", "webp", "tiff", "tif"];
-
-/// How a picture becomes bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Png,
-    Exr,
-}
 
 /// Renders.
 ///
@@ -34,40 +27,69 @@ enum Format {
 /// What is wrong with the command line, the program or a file.
 pub fn run(args: RenderArgs) -> Result<(), Complaint> {
     let clock = Clock::start();
-    let format = check_wishes(&args)?;
+    let destination = destination::of(&args)?;
     let mut stages = Stages::default();
     let mut program = programs::load(&args.program)?;
     stages.parsed = clock.now();
-    let plan = Plan::new(&mut program, &wishes(&args)).map_err(|refusal| refused(refusal, &program))?;
-    if let (Some(found), false) = (plan.found, args.program.quiet) {
-        let whole = if found.is_all { "around all there is" } else { "around what is nearest to the origin" };
-        console::say(&format!("note: no region was given; seen {whole}: {}\n", stats::region_option(&found.shape())));
-    }
+    let terminal = (destination == Destination::Terminal).then(Terminal::of_stdout);
+    let is_size_said = args.size.is_some() || program.lowered.render.as_ref().is_some_and(|block| block.size.is_some());
+    let own_size = terminal.as_ref().filter(|_| !is_size_said).and_then(Terminal::size);
+    let wishes = Wishes { size: args.size.or(own_size), ..wishes(&args) };
+    let plan = Plan::new(&mut program, &wishes).map_err(|refusal| refused(refusal, &program))?;
+    check_sides(&destination, plan.settings.size)?;
+    say_region(&args, &plan);
+    let notes = notes(&destination, &program, &wishes, &plan);
     stages.compiled = clock.now();
-    let progress = Progress::new(clock, args.program.quiet);
+    let keep = |drawing: &Drawing| write_picture(&destination, &plan, drawing, &notes, Outputs::default())?.commit();
+    let keep: Option<Keep> = if args.progressive { Some(&keep) } else { None };
+    let progress = Progress::new(clock, args.program.quiet, args.time_budget, keep);
     let drawing = plan.draw(&progress);
-    progress.clear();
+    progress.end()?;
     let drawing = drawing.map_err(Complaint::program)?;
     stages.drawn = clock.now();
-    write(&args, format, &plan, &drawing, &mut stages, clock)
+    if let Some(terminal) = terminal {
+        terminal.show(&drawing.picture, plan.settings.mode.tone())?;
+    }
+    write(&args, &destination, &plan, &drawing, &notes, &mut stages, clock)?;
+    say_pass(&args, drawing.pass);
+    say_emptiness(&args, &drawing);
+    Ok(())
+}
+
+/// What a picture says of itself: who drew it, and the program that draws it again.
+fn notes(destination: &Destination, program: &Program, wishes: &Wishes, plan: &Plan) -> Vec<(&'static str, String)> {
+    let mut notes = vec![("Software", format!("implicit {}", env!("CARGO_PKG_VERSION")))];
+    if matches!(destination, Destination::File(_, Format::Png)) {
+        notes.extend(recipe(program, wishes, plan).map(|text| (KEYWORD, text)));
+    }
+    notes
+}
+
+/// Encodes the picture and puts it with the other files.
+fn write_picture(
+    destination: &Destination,
+    plan: &Plan,
+    drawing: &Drawing,
+    notes: &[(&'static str, String)],
+    mut outputs: Outputs,
+) -> Result<Outputs, Complaint> {
+    if let Destination::File(path, format) = destination {
+        let bytes = format.encode(&drawing.picture, plan.settings.mode.tone(), notes).map_err(Complaint::program)?;
+        outputs.stage(path, bytes)?;
+    }
+    Ok(outputs)
 }
 
 fn write(
     args: &RenderArgs,
-    format: Option<Format>,
+    destination: &Destination,
     plan: &Plan,
     drawing: &Drawing,
+    notes: &[(&'static str, String)],
     stages: &mut Stages,
     clock: Clock,
 ) -> Result<(), Complaint> {
-    let mut outputs = Outputs::default();
-    if let (Some(path), Some(format)) = (&args.output, format) {
-        let bytes = match format {
-            Format::Png => png::encode(&drawing.picture, plan.settings.mode.tone()),
-            Format::Exr => exr::encode_colour(&drawing.picture),
-        };
-        outputs.stage(path, bytes.map_err(Complaint::program)?)?;
-    }
+    let mut outputs = write_picture(destination, plan, drawing, notes, Outputs::default())?;
     if let (Some(path), Some(depth)) = (&args.depth, &drawing.depth) {
         outputs.stage(path, exr::encode_depth(depth).map_err(Complaint::program)?)?;
     }
@@ -85,54 +107,59 @@ fn write(
     Ok(())
 }
 
-/// Refuses what contradicts itself, what is not built, and files that cannot be written, before any work.
-fn check_wishes(args: &RenderArgs) -> Result<Option<Format>, Complaint> {
-    let outputs: Vec<&PathBuf> =
-        [&args.output, &args.depth, &args.normals, &args.stats_json].into_iter().flatten().collect();
-    if outputs.is_empty() {
-        return Err(Complaint::usage(
-            "there is nowhere to draw to: add -o picture.png (or --depth, --normals, --stats-json FILE)",
-        ));
+/// Says which region was found.
+fn say_region(args: &RenderArgs, plan: &Plan) {
+    if let (Some(found), false) = (plan.found, args.program.quiet) {
+        let whole = if found.is_all { "around all there is" } else { "around what is nearest to the origin" };
+        console::say(&format!("note: no region was given; seen {whole}: {}\n", region_option(&found.shape())));
     }
-    if args.step.is_some() && args.method != MethodArg::March {
-        return Err(Complaint::usage("--step belongs to --method march; the faithful method takes no steps"));
-    }
-    for (name, is_asked) in [("--progressive", args.progressive), ("--time-budget", args.time_budget.is_some())] {
-        if is_asked {
-            return Err(Complaint::usage(format!("{name} is not built yet: pictures are drawn in one pass")));
-        }
-    }
-    for (index, path) in outputs.iter().enumerate() {
-        if outputs[..index].contains(path) {
-            let path = output::shown(path);
-            return Err(Complaint::usage(format!("'{path}' is asked for twice; every output needs a file of its own")));
-        }
-    }
-    let format = args.output.as_deref().map(format_of).transpose()?;
-    for path in [&args.depth, &args.normals].into_iter().flatten() {
-        let is_device = path.starts_with("/dev");
-        if path.as_os_str() == STDOUT || !is_device && format_of(path)? != Format::Exr {
-            return Err(Complaint::usage(format!("'{}' must end in .exr", output::shown(path))));
-        }
-    }
-    for path in outputs {
-        output::check(path)?;
-    }
-    Ok(format)
 }
 
-fn format_of(path: &Path) -> Result<Format, Complaint> {
-    if path.as_os_str() == STDOUT || path.starts_with("/dev") {
-        return Ok(Format::Png);
+/// Says what a picture lacks that the time did not suffice for.
+fn say_pass(args: &RenderArgs, pass: Pass) {
+    let what = match pass {
+        Pass::Last => return,
+        Pass::Squares(side) => format!("one ray for each square of {side}x{side} pixels"),
+        Pass::Samples(1) => "one ray a pixel, edges are not smooth yet".into(),
+        Pass::Samples(count) => format!("at most {count} samples a pixel"),
+    };
+    if !args.program.quiet {
+        console::say(&format!("note: the time was up; the picture has {what}\n"));
     }
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-    match ending.as_str() {
-        "png" => Ok(Format::Png),
-        "exr" => Ok(Format::Exr),
-        later if LATER_ENDINGS.contains(&later) => {
-            Err(Complaint::usage(format!("pictures ending in .{later} are not built yet; there are .png and .exr")))
+}
+
+/// Says so if no ray met a surface, and what may be the reason.
+fn say_emptiness(args: &RenderArgs, drawing: &Drawing) {
+    let report = drawing.report;
+    let is_empty = report.misses > 0 && report.hits + report.touch + report.undecided == 0;
+    if !is_empty || args.program.quiet {
+        return;
+    }
+    let given = [
+        ("--box", args.clip_box.is_some()),
+        ("--ball", args.ball.is_some()),
+        ("--eye", args.eye.is_some()),
+        ("--look-at", args.look_at.is_some()),
+        ("--orbit", args.orbit.is_some()),
+    ];
+    let names: Vec<&str> = given.into_iter().filter(|(_, is_given)| *is_given).map(|(name, _)| name).collect();
+    let mend = match names[..] {
+        [] => "a larger --size may show what is smaller than a pixel".into(),
+        _ => format!("without {} the program finds what there is to see", names.join(" and ")),
+    };
+    console::say(&format!("note: the picture is empty, no pixel's ray meets a surface; {mend}\n"));
+}
+
+/// Refuses a picture that is larger than its file's format allows.
+fn check_sides(destination: &Destination, size: Size) -> Result<(), Complaint> {
+    match destination {
+        Destination::File(_, format) if size.width().max(size.height()) > format.max_side() => {
+            let longest = format.max_side();
+            Err(Complaint::usage(format!(
+                "{size}: a file of this kind has at most {longest} pixels a side; png has more"
+            )))
         }
-        _ => Err(Complaint::usage(format!("'{}' must end in .png or .exr", output::shown(path)))),
+        _ => Ok(()),
     }
 }
 
@@ -143,7 +170,7 @@ fn wishes(args: &RenderArgs) -> Wishes {
     Wishes {
         size: args.size,
         mode: args.mode,
-        samples: args.samples,
+        samples: args.samples.and_then(|samples| u32::try_from(samples).ok()),
         view: View {
             eye: args.eye.map(DVec3::from),
             orbit,
@@ -159,7 +186,18 @@ fn wishes(args: &RenderArgs) -> Wishes {
         threads: args.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from)),
         keep_depth: args.depth.is_some(),
         keep_normals: args.normals.is_some(),
+        passes: passes(args),
         simd: simd(),
+    }
+}
+
+/// Coarse squares come first only if nothing is asked for that one ray a pixel has to answer.
+fn passes(args: &RenderArgs) -> Passes {
+    let needs_centres = args.depth.is_some() || args.normals.is_some() || args.stats_json.is_some() || args.stats;
+    match (args.progressive || args.time_budget.is_some(), needs_centres) {
+        (false, _) => Passes::Few,
+        (true, true) => Passes::Many,
+        (true, false) => Passes::CoarseFirst,
     }
 }
 

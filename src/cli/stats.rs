@@ -5,7 +5,7 @@
 use super::clock::Moment;
 use crate::render::Report;
 use crate::session::Plan;
-use crate::surface::Shape;
+use crate::surface::{Method, Shape};
 use serde_json::{Value, json};
 
 /// The moments at which the stages ended; the first begins with the process.
@@ -91,14 +91,6 @@ fn region_json(shape: &Shape) -> Value {
     }
 }
 
-/// A region as the option that asks for it.
-pub fn region_option(shape: &Shape) -> String {
-    match *shape {
-        Shape::Box { min, max } => format!("--box {},{},{},{},{},{}", min.x, max.x, min.y, max.y, min.z, max.z),
-        Shape::Ball { center, radius } => format!("--ball {},{},{},{radius}", center.x, center.y, center.z),
-    }
-}
-
 /// The same for people.
 pub fn sentences(stages: &Stages, plan: &Plan, report: &Report) -> String {
     let wall = Seconds::new(stages, report, |m| m.wall);
@@ -106,7 +98,8 @@ pub fn sentences(stages: &Stages, plan: &Plan, report: &Report) -> String {
     let counts = report.counts;
     let milliseconds = |seconds: f64| format!("{:.1} ms", seconds * 1e3);
     let size = plan.settings.size;
-    let mut text = format!("{size} pixels, {} threads, {}\n", plan.settings.threads, proven_sentence(report));
+    let mut text = proven_sentence(report, plan.method);
+    text += &format!("{size} pixels, {} threads\n", plan.settings.threads);
     text += &format!(
         "hits {}, misses {}, touch {}, undecided {}\n",
         report.hits, report.misses, report.touch, report.undecided
@@ -128,17 +121,21 @@ pub fn sentences(stages: &Stages, plan: &Plan, report: &Report) -> String {
     text
 }
 
-/// What is proven, in one plain sentence.
-fn proven_sentence(report: &Report) -> String {
+/// What is proven, in one plain sentence on a line.
+fn proven_sentence(report: &Report, method: Method) -> String {
     let pixels = report.hits + report.misses + report.touch + report.undecided;
     let open = pixels - report.proven;
-    match (report.proven, open) {
-        (0, _) => "nothing is proven: the method samples".into(),
-        (_, 0) => "every one is proven at its centre: hit and depth, or empty".into(),
-        (_, 1) => "all but 1 are proven at their centres".into(),
-        _ => format!(
-            "all but {open} are proven at their centres ({:.3} %)",
-            report.proven as f64 / pixels as f64 * 100.0
+    let what = "the surface is where it is drawn and nothing is in front of it, or there is none";
+    match (method, open) {
+        (Method::March { .. }, _) => {
+            "Nothing is proven: the method march samples each ray and can miss what is between two samples.\n".into()
+        }
+        (Method::Faithful, 0) => format!("All {pixels} pixels are proven at their centres: {what}.\n"),
+        (Method::Faithful, _) => format!(
+            "{} of {pixels} pixels are proven at their centres ({:.3} %): {what}; {open} {} not.\n",
+            report.proven,
+            (report.proven as f64 / pixels as f64 * 100_000.0).floor() / 1000.0,
+            if open == 1 { "is" } else { "are" }
         ),
     }
 }
@@ -157,5 +154,21 @@ mod tests {
         assert_eq!((wall.parse, wall.compile, wall.trace, wall.shade, wall.encode), (1.0, 2.0, 7.5, 2.5, 1.0));
         assert_eq!(wall.total(), 14.0);
         assert_eq!(Seconds::new(&stages, &report, |m| m.cpu).total(), 22.5);
+    }
+
+    #[test]
+    fn one_sentence_says_what_is_proven() {
+        let report = |proven| Report { hits: 999_999, misses: 1, proven, ..Report::default() };
+        let rows = [
+            (report(1_000_000), Method::Faithful, "All 1000000 pixels are proven"),
+            (report(999_999), Method::Faithful, "999999 of 1000000 pixels are proven at their centres (99.999 %)"),
+            (report(0), Method::Faithful, "0 of 1000000 pixels are proven at their centres (0.000 %)"),
+            (report(0), Method::March { step: 0.1 }, "Nothing is proven: the method march samples"),
+        ];
+        for (report, method, start) in rows {
+            let sentence = proven_sentence(&report, method);
+            assert!(sentence.starts_with(start) && sentence.ends_with(".\n"), "{sentence}");
+        }
+        assert!(proven_sentence(&report(999_999), Method::Faithful).ends_with("; 1 is not.\n"));
     }
 }

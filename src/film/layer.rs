@@ -34,3 +34,18 @@ impl<T: Copy> Layer<T> {
         self.values.chunks_exact(self.size.width() as usize)
     }
 }
+
+#[cfg(test)]
+impl Layer<[f32; 3]> {
+    /// A picture of soft colours for tests of files.
+    pub(crate) fn sample(size: Size) -> Self {
+        let mut picture = Layer::filled(size, [0.0; 3]);
+        let (across, down) = (size.width() as f32 - 1.0, size.height() as f32 - 1.0);
+        for j in 0..size.height() {
+            for i in 0..size.width() {
+                picture.set(i, j, [i as f32 / across, j as f32 / down, 0.5]);
+            }
+        }
+        picture
+    }
+}

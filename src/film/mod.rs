@@ -7,15 +7,22 @@
 //! - [`layer`]: one value a pixel.
 //! - [`srgb`]: linear light to the eight bits a screen shows.
 //! - [`tone`]: how light or data is shown.
-//! - [`png`], [`exr`]: the files.
+//! - [`mod@format`]: which file it becomes; [`png`], [`jpeg`], [`webp`], [`tiff`], [`exr`]: the files.
+//! - [`blocks`]: the picture in characters of a terminal.
 
+pub mod blocks;
 pub mod exr;
+pub mod format;
+pub mod jpeg;
 pub mod layer;
 pub mod png;
 pub mod size;
 pub mod srgb;
+pub mod tiff;
 pub mod tone;
+pub mod webp;
 
+pub use format::Format;
 pub use layer::Layer;
 pub use size::Size;
 pub use tone::Tone;

@@ -1,27 +1,55 @@
-//! PNG: eight bits a channel, sRGB.
+//! PNG: eight bits a channel, sRGB, with notes on what it shows.
 //!
-//! In: a layer and how its values are to be shown. Out: the bytes of a PNG file, the same for the same layer.
+//! In: a layer, how its values are to be shown, notes. Out: the bytes of a PNG file, the same for the same layer; and
+//! from such bytes the notes.
 
 use super::{EncodeError, Layer, Tone};
-use ::png::{BitDepth, ColorType, Compression, Encoder, SrgbRenderingIntent};
-use std::io::Write;
+use ::png::text_metadata::ITXtChunk;
+use ::png::{BitDepth, ColorType, Compression, DecodeOptions, Decoder, Encoder, Limits, SrgbRenderingIntent};
+use std::fmt;
+use std::io::{Cursor, Write};
+
+/// A note of a picture has at most so many bytes: a program text of the longest that are read, and some more.
+pub const MAX_NOTE: usize = (1 << 20) + (1 << 12);
+
+/// What a file's reader may allocate: notes and one line of the largest picture.
+const READ_LIMIT: usize = 1 << 28;
+
+/// The first bytes of every PNG file.
+const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// Encodes a picture as a PNG file.
 ///
 /// # Errors
 /// If the encoder refuses; it has no reason to, the size being checked.
 pub fn encode(picture: &Layer<[f32; 3]>, tone: Tone) -> Result<Vec<u8>, EncodeError> {
+    encode_with(picture, tone, &[])
+}
+
+/// Encodes a picture as a PNG file that carries notes, each a keyword (1 to 79 letters) and a text.
+///
+/// # Errors
+/// If a keyword is none.
+pub fn encode_with(picture: &Layer<[f32; 3]>, tone: Tone, notes: &[(&str, String)]) -> Result<Vec<u8>, EncodeError> {
     let mut bytes = Vec::new();
-    write(picture, tone, &mut bytes).map_err(|e| EncodeError { message: e.to_string() })?;
+    write(picture, tone, notes, &mut bytes).map_err(|e| EncodeError { message: e.to_string() })?;
     Ok(bytes)
 }
 
-fn write(picture: &Layer<[f32; 3]>, tone: Tone, bytes: &mut Vec<u8>) -> Result<(), ::png::EncodingError> {
+fn write(
+    picture: &Layer<[f32; 3]>,
+    tone: Tone,
+    notes: &[(&str, String)],
+    bytes: &mut Vec<u8>,
+) -> Result<(), ::png::EncodingError> {
     let mut encoder = Encoder::new(bytes, picture.size.width(), picture.size.height());
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     encoder.set_compression(Compression::Fast);
+    for (keyword, text) in notes {
+        encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
+    }
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer()?;
     let mut line = Vec::with_capacity(picture.size.width() as usize * 3);
@@ -34,6 +62,54 @@ fn write(picture: &Layer<[f32; 3]>, tone: Tone, bytes: &mut Vec<u8>) -> Result<(
     writer.finish()
 }
 
+/// Why a file's notes cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// It does not start as a PNG file does.
+    NotPng,
+    /// It is cut off, or its check sums are wrong.
+    Damaged,
+    /// The note is longer than [`MAX_NOTE`].
+    TooLong,
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ReadError::NotPng => f.write_str("it is no PNG file"),
+            ReadError::Damaged => f.write_str("it is a damaged PNG file, or only the beginning of one"),
+            ReadError::TooLong => write!(f, "its note is longer than {MAX_NOTE} bytes"),
+        }
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// The note with this keyword in a PNG file, if it has one; the whole file must be sound.
+///
+/// # Errors
+/// If it is no PNG file, or a damaged one.
+pub fn note(bytes: &[u8], keyword: &str) -> Result<Option<String>, ReadError> {
+    if !bytes.starts_with(SIGNATURE) {
+        return Err(ReadError::NotPng);
+    }
+    let mut options = DecodeOptions::default();
+    options.set_skip_ancillary_crc_failures(false);
+    let mut decoder = Decoder::new_with_options(Cursor::new(bytes), options);
+    decoder.set_limits(Limits { bytes: READ_LIMIT });
+    let mut reader = decoder.read_info().map_err(|_| ReadError::Damaged)?;
+    reader.finish().map_err(|_| ReadError::Damaged)?;
+    reader.info().utf8_text.iter().find(|note| note.keyword == keyword).map(text).transpose()
+}
+
+fn text(note: &ITXtChunk) -> Result<String, ReadError> {
+    let mut note = note.clone();
+    note.decompress_text_with_limit(MAX_NOTE).map_err(|_| ReadError::TooLong)?;
+    let text = note.get_text().map_err(|_| ReadError::Damaged)?;
+    if text.len() > MAX_NOTE { Err(ReadError::TooLong) } else { Ok(text) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -41,20 +117,47 @@ mod tests {
 
     #[test]
     fn what_is_written_reads_back() {
-        let size = Size::new(70, 41).unwrap();
-        let mut picture = Layer::filled(size, [0.0; 3]);
-        for j in 0..41 {
-            for i in 0..70 {
-                picture.set(i, j, [i as f32 / 69.0, j as f32 / 40.0, 0.5]);
-            }
-        }
+        let picture = Layer::sample(Size::new(70, 41).unwrap());
         let bytes = encode(&picture, Tone::Linear).unwrap();
         assert_eq!(bytes, encode(&picture, Tone::Linear).unwrap());
-        let mut reader = ::png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+        let mut reader = Decoder::new(Cursor::new(bytes)).read_info().unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut pixels).unwrap();
         assert_eq!((info.width, info.height, info.color_type), (70, 41, ColorType::Rgb));
-        let expected: Vec<u8> = picture.values.iter().flat_map(|&p| Tone::Linear.bytes(p)).collect();
+        let expected = Tone::Linear.all_bytes(&picture);
         assert_eq!(pixels[..expected.len()], expected);
+    }
+
+    #[test]
+    fn notes_read_back_from_whole_files_only() {
+        let picture = Layer::sample(Size::new(9, 5).unwrap());
+        let said = "x² + y² = 1 // ∛\n".to_owned();
+        let bytes = encode_with(&picture, Tone::Linear, &[("implicit", said.clone()), ("b", "c".into())]).unwrap();
+        assert_eq!(note(&bytes, "implicit"), Ok(Some(said)));
+        assert_eq!(note(&bytes, "b"), Ok(Some("c".into())));
+        assert_eq!(note(&bytes, "d"), Ok(None));
+        assert_eq!(note(&encode(&picture, Tone::Linear).unwrap(), "implicit"), Ok(None));
+        for length in 0..SIGNATURE.len() {
+            assert_eq!(note(&bytes[..length], "implicit"), Err(ReadError::NotPng), "{length}");
+        }
+        for length in SIGNATURE.len()..bytes.len() {
+            assert_eq!(note(&bytes[..length], "implicit"), Err(ReadError::Damaged), "{length}");
+        }
+    }
+
+    #[test]
+    fn notes_that_unpack_to_too_much_are_refused() {
+        let mut bytes = Vec::new();
+        let mut encoder = Encoder::new(&mut bytes, 1, 1);
+        encoder.set_color(ColorType::Rgb);
+        let mut writer = encoder.write_header().unwrap();
+        let mut bomb = ITXtChunk::new("implicit", "x".repeat(MAX_NOTE + 1));
+        bomb.compressed = true;
+        bomb.compress_text().unwrap();
+        writer.write_text_chunk(&bomb).unwrap();
+        writer.write_image_data(&[0; 3]).unwrap();
+        writer.finish().unwrap();
+        assert!(bytes.len() < 10_000);
+        assert_eq!(note(&bytes, "implicit"), Err(ReadError::TooLong));
     }
 }

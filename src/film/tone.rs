@@ -2,6 +2,7 @@
 //!
 //! In: linear light that may exceed 1, or values of 0..=1. Out: bytes for the screen.
 
+use super::Layer;
 use super::srgb::byte_from_linear;
 
 /// How values become bytes.
@@ -24,6 +25,11 @@ impl Tone {
             Tone::Neutral => neutral(pixel).map(byte_from_linear),
             Tone::Data => pixel.map(|value| (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8),
         }
+    }
+
+    /// The bytes of all pixels, row by row from the top.
+    pub fn all_bytes(self, picture: &Layer<[f32; 3]>) -> Vec<u8> {
+        picture.values.iter().flat_map(|&pixel| self.bytes(pixel)).collect()
     }
 }
 

@@ -6,11 +6,13 @@
 //! - [`settings`]: the modes, and what else can be chosen.
 //! - [`watch`]: who looks on: progress, cancelling, the clock.
 //! - [`trace`]: who traces rays.
-//! - [`tiles`]: the picture in squares, each drawn by one thread.
+//! - [`tiles`]: the picture in squares and passes; [`canvas`]: what all threads draw on.
 //! - [`knowledge`]: what the centre ray of a pixel knows, in four bytes, and where neighbours differ.
+//! - [`worker`]: one thread with its tracer, and what it does with a tile.
 //! - [`sampling`]: where in a pixel the rays go, and when they are enough.
 //! - [`integrator`]: from hits to light, by mode: [`cosine`], [`mirror`], [`studio`], [`data`].
 
+pub mod canvas;
 pub mod cosine;
 pub mod data;
 pub mod integrator;
@@ -22,8 +24,9 @@ pub mod studio;
 pub mod tiles;
 pub mod trace;
 pub mod watch;
+pub mod worker;
 
-pub use settings::{Mode, Settings};
-pub use tiles::{Drawing, Failure, Report, draw};
+pub use settings::{Mode, Passes, Settings};
+pub use tiles::{Drawing, Failure, Pass, Report, draw};
 pub use trace::Trace;
 pub use watch::{Silent, Watch};

@@ -20,20 +20,15 @@ pub fn offset(index: u32) -> (f64, f64) {
     (place(STEP[0]), place(STEP[1]))
 }
 
-/// Whether the samples of a pixel still differ, so that their mean is not to be trusted yet.
-pub fn is_torn(samples: &[[f32; 3]]) -> bool {
-    samples.windows(2).any(|pair| !look_alike(pair[0], pair[1]))
+/// Whether a pixel's first sample and the next ones still differ, so that their mean is not to be trusted yet.
+pub fn is_torn(first: [f32; 3], next: &[[f32; 3]]) -> bool {
+    let before = std::iter::once(&first).chain(next);
+    before.zip(next).any(|(&a, &b)| !look_alike(a, b))
 }
 
-/// The mean, summed in the samples' order.
-pub fn mean(samples: &[[f32; 3]]) -> [f32; 3] {
-    let mut sum = [0.0f64; 3];
-    for sample in samples {
-        for channel in 0..3 {
-            sum[channel] += f64::from(sample[channel]);
-        }
-    }
-    sum.map(|s| (s / samples.len() as f64) as f32)
+/// The mean of so many samples, added up in their order.
+pub fn mean(sum: [f64; 3], count: u32) -> [f32; 3] {
+    sum.map(|s| (s / f64::from(count)) as f32)
 }
 
 #[cfg(test)]
@@ -56,7 +51,10 @@ mod tests {
     }
 
     #[test]
-    fn means_are_means() {
-        assert_eq!(mean(&[[0.0, 1.0, 2.0], [1.0, 1.0, 4.0]]), [0.5, 1.0, 3.0]);
+    fn samples_differ_if_any_differs_from_the_one_before() {
+        let (dark, light) = ([0.1; 3], [0.9; 3]);
+        assert!(!is_torn(dark, &[]) && !is_torn(dark, &[dark, dark]));
+        assert!(is_torn(light, &[dark, dark]) && is_torn(dark, &[dark, light]));
+        assert_eq!(mean([1.0, 2.0, 6.0], 2), [0.5, 1.0, 3.0]);
     }
 }

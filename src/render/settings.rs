@@ -75,12 +75,34 @@ pub struct Settings {
     pub keep_depth: bool,
     /// Whether normals are kept.
     pub keep_normals: bool,
+    /// In which passes it is drawn; the finished picture is the same.
+    pub passes: Passes,
+}
+
+/// In which passes a picture is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Passes {
+    /// One ray a pixel, then all samples that are still needed.
+    #[default]
+    Few,
+    /// One ray a pixel, then samples in steps, for those who look on.
+    Many,
+    /// The same, but coarse squares come first, for those who cannot wait for one ray a pixel.
+    CoarseFirst,
 }
 
 impl Default for Settings {
     fn default() -> Self {
         let mode = Mode::default();
         let samples = mode.default_samples();
-        Settings { size: Size::default(), mode, samples, threads: 1, keep_depth: false, keep_normals: false }
+        Settings {
+            size: Size::default(),
+            mode,
+            samples,
+            threads: 1,
+            keep_depth: false,
+            keep_normals: false,
+            passes: Passes::Few,
+        }
     }
 }

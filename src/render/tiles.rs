@@ -1,27 +1,34 @@
-//! The picture in squares, each drawn by one thread.
+//! The picture in squares, each drawn by one thread, and in passes.
 //!
 //! In: a scene, settings, a tracer for every thread. Out: the drawing. A tile is a batch of rays, so that the tracer
 //! has many at once; which thread draws a tile changes nothing, because tiles are written to their own places and
-//! sums are of whole numbers.
+//! sums are of whole numbers. After every pass the drawing is whole: what the next one adds is put into the picture
+//! when that pass is done.
 
-use super::integrator::{Scratch, Seen, shade};
-use super::knowledge::{Knowledge, edges};
-use super::sampling::{self, FIRST_SAMPLES};
-use super::settings::Settings;
+use super::canvas::{Canvas, lock};
+use super::sampling::FIRST_SAMPLES;
+use super::settings::{Passes, Settings};
 use super::trace::Trace;
 use super::watch::Watch;
-use crate::film::Layer;
+use super::worker::Worker;
+use crate::film::{Layer, Size};
 use crate::scene::Scene;
-use crate::surface::{Counts, Hit, Outcome, Ray};
+use crate::surface::{Counts, Hit, Outcome};
 use std::fmt;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// The side of a tile in pixels: 1024 rays fill the tracer's lanes and still fit the nearest caches.
 const TILE: u32 = 32;
 
 /// The stack of a drawing thread in bytes: as large as a main thread's usually is.
 const STACK: usize = 8 << 20;
+
+/// The sides of the squares in the coarse passes: 1/256 and 1/16 of the rays of a pass with one ray a pixel.
+const SQUARES: [u32; 2] = [16, 4];
+
+/// The samples a pixel at the ends of the passes after the first; each further one has four times as many.
+const STEPS: [u32; 2] = [FIRST_SAMPLES, 16];
 
 /// What was drawn.
 #[derive(Clone, Debug)]
@@ -34,6 +41,20 @@ pub struct Drawing {
     pub normals: Option<Layer<[f32; 3]>>,
     /// What is known of the centre rays, and what it took.
     pub report: Report,
+    /// The last pass that is in it.
+    pub pass: Pass,
+}
+
+/// How far a drawing has come.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pass {
+    /// Squares of so many pixels a side have one ray each.
+    Squares(u32),
+    /// Pixels have at most so many samples, and would get more.
+    Samples(u32),
+    /// All is drawn.
+    #[default]
+    Last,
 }
 
 /// Numbers about a drawing; the first five of the rays through pixel centres only.
@@ -61,7 +82,7 @@ pub struct Report {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Failure {
-    /// The watch said so.
+    /// The watch said so before a pass was whole.
     Cancelled,
 }
 
@@ -75,10 +96,11 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// Draws the scene; `make_tracer` is called once a thread.
+/// Draws the scene; `make_tracer` is called once a thread and pass. When the watch cancels, the drawing is as the last
+/// whole pass left it.
 ///
 /// # Errors
-/// If the watch cancels.
+/// If the watch cancels before a pass is whole.
 pub fn draw<T: Trace>(
     scene: &Scene,
     settings: &Settings,
@@ -86,22 +108,27 @@ pub fn draw<T: Trace>(
     watch: &dyn Watch,
 ) -> Result<Drawing, Failure> {
     let canvas = Mutex::new(Canvas::new(settings));
-    let tiles = tiles_of(settings);
-    let passes = if settings.samples > 1 { 2 } else { 1 };
-    let job = Job { scene, settings, make_tracer, watch, canvas: &canvas, tiles: &tiles, total: tiles.len() * passes };
-    job.run(&|worker, tile| worker.draw_centres(tile), 0)?;
-    if settings.samples > 1 {
-        let edges = {
-            let canvas = lock(&canvas);
-            edges(&canvas.drawing.picture, &canvas.known)
-        };
-        job.run(&|worker, tile| worker.smooth_edges(tile, &edges), tiles.len())?;
+    let job = Job { scene, settings, make_tracer, watch, canvas: &canvas, total: pieces(settings) };
+    let end = job.all_passes();
+    let mut drawing = canvas.into_inner().expect("a thread that panics ends the drawing").into_drawing();
+    match end {
+        Ok(()) => drawing.pass = Pass::Last,
+        Err(Stopped { has_drawn: false }) => return Err(Failure::Cancelled),
+        Err(Stopped { has_drawn: true }) => {}
     }
-    Ok(canvas.into_inner().expect("a thread that panics ends the drawing").drawing)
+    Ok(drawing)
 }
 
+/// The watch cancelled; whether a pass had been whole by then.
+struct Stopped {
+    has_drawn: bool,
+}
+
+/// A square of the picture, all of which one thread draws at once.
 #[derive(Clone, Copy, Debug)]
-struct Tile {
+pub struct Tile {
+    /// Which of the tiles it is.
+    pub index: usize,
     left: u32,
     top: u32,
     width: u32,
@@ -109,60 +136,74 @@ struct Tile {
 }
 
 impl Tile {
-    fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
+    /// Its pixels, row by row.
+    pub fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
         (self.top..self.top + self.height).flat_map(move |j| (self.left..self.left + self.width).map(move |i| (i, j)))
     }
+
+    /// The tile in squares of `side` pixels, those at its ends smaller.
+    pub fn squares(self, side: u32) -> impl Iterator<Item = Tile> {
+        tiles_of(self.width, self.height, side).map(move |square| Tile {
+            left: self.left + square.left,
+            top: self.top + square.top,
+            ..square
+        })
+    }
+
+    /// The pixel in its middle.
+    pub fn middle(self) -> (u32, u32) {
+        (self.left + self.width / 2, self.top + self.height / 2)
+    }
 }
 
-fn tiles_of(settings: &Settings) -> Vec<Tile> {
-    let (width, height) = (settings.size.width(), settings.size.height());
-    let starts = |length: u32| (0..length).step_by(TILE as usize);
-    let row = |top: u32| {
-        starts(width).map(move |left| Tile { left, top, width: TILE.min(width - left), height: TILE.min(height - top) })
+fn tiles_of(width: u32, height: u32, side: u32) -> impl Iterator<Item = Tile> {
+    let starts = move |length: u32| (0..length).step_by(side as usize);
+    let row = move |top: u32| {
+        let tile = move |left: u32| Tile {
+            index: 0,
+            left,
+            top,
+            width: side.min(width - left),
+            height: side.min(height - top),
+        };
+        starts(width).map(tile)
     };
-    starts(height).flat_map(row).collect()
+    starts(height).flat_map(row).enumerate().map(|(index, tile)| Tile { index, ..tile })
 }
 
-/// What all threads write to, under one lock that is held for a copy at a time.
-struct Canvas {
-    drawing: Drawing,
-    known: Layer<Knowledge>,
+/// The tiles of a pass whose squares have this side; a tile always has about as many rays.
+fn tiles(size: Size, square: u32) -> Vec<Tile> {
+    tiles_of(size.width(), size.height(), TILE * square).collect()
 }
 
-impl Canvas {
-    fn new(settings: &Settings) -> Self {
-        let size = settings.size;
-        let known_size = if settings.samples > 1 { size } else { crate::film::Size::new(1, 1).unwrap_or_default() };
-        Canvas {
-            drawing: Drawing {
-                picture: Layer::filled(size, [0.0; 3]),
-                depth: settings.keep_depth.then(|| Layer::filled(size, f32::INFINITY)),
-                normals: settings.keep_normals.then(|| Layer::filled(size, [f32::NAN; 3])),
-                report: Report::default(),
-            },
-            known: Layer::filled(known_size, Knowledge::MISS),
-        }
+/// The passes that add samples, each by the numbers of samples a pixel that it goes to, one after the other.
+fn sample_passes(settings: &Settings) -> Vec<Vec<u32>> {
+    let all = settings.samples;
+    if all <= 1 {
+        return Vec::new();
     }
+    if settings.passes == Passes::Few {
+        return vec![vec![FIRST_SAMPLES.min(all), all]];
+    }
+    let further = std::iter::successors(Some(STEPS[1]), |n| n.checked_mul(4));
+    let mut steps: Vec<u32> = std::iter::once(STEPS[0]).chain(further).take_while(|&n| n < all).collect();
+    steps.push(all);
+    steps.into_iter().map(|n| vec![n]).collect()
+}
 
-    fn keep(&mut self, tile: Tile, hits: &[Hit], colours: &[[f32; 3]], samples: u32) {
-        for (((i, j), hit), &colour) in tile.pixels().zip(hits).zip(colours) {
-            self.drawing.picture.set(i, j, colour);
-            if let Some(depth) = &mut self.drawing.depth {
-                depth.set(i, j, hit.t as f32);
-            }
-            if let Some(normals) = &mut self.drawing.normals {
-                normals.set(i, j, hit.normal.as_vec3().to_array());
-            }
-            if samples > 1 {
-                self.known.set(i, j, Knowledge::of(hit));
-            }
-            self.drawing.report.count(hit);
-        }
-    }
+/// How many tiles all passes have together.
+fn pieces(settings: &Settings) -> usize {
+    let squares = coarse(settings).iter().map(|&square| tiles(settings.size, square).len()).sum::<usize>();
+    squares + tiles(settings.size, 1).len() * (1 + sample_passes(settings).len())
+}
+
+fn coarse(settings: &Settings) -> &'static [u32] {
+    if settings.passes == Passes::CoarseFirst { &SQUARES } else { &[] }
 }
 
 impl Report {
-    fn count(&mut self, hit: &Hit) {
+    /// Counts what a ray through a pixel's centre met.
+    pub fn count(&mut self, hit: &Hit) {
         match hit.outcome {
             Outcome::Miss => self.misses += 1,
             Outcome::Hit => self.hits += 1,
@@ -173,29 +214,72 @@ impl Report {
     }
 }
 
-fn lock<'a>(canvas: &'a Mutex<Canvas>) -> std::sync::MutexGuard<'a, Canvas> {
-    canvas.lock().expect("a thread that panics ends the drawing")
-}
-
 /// What every thread is told.
-struct Job<'a, T> {
-    scene: &'a Scene,
-    settings: &'a Settings,
-    make_tracer: &'a (dyn Fn() -> T + Sync),
-    watch: &'a dyn Watch,
-    canvas: &'a Mutex<Canvas>,
-    tiles: &'a [Tile],
+pub struct Job<'a, T> {
+    /// What there is to see.
+    pub scene: &'a Scene,
+    /// What to draw.
+    pub settings: &'a Settings,
+    /// Makes the tracer of a thread.
+    pub make_tracer: &'a (dyn Fn() -> T + Sync),
+    /// Who looks on.
+    pub watch: &'a dyn Watch,
+    /// Where it is drawn.
+    pub canvas: &'a Mutex<Canvas>,
     total: usize,
 }
 
+/// What a thread does with a tile.
+type Paint<'p, 'a, T> = &'p (dyn Fn(&mut Worker<'a, T>, Tile) + Sync);
+
 impl<'a, T: Trace> Job<'a, T> {
+    fn all_passes(&self) -> Result<(), Stopped> {
+        let mut done = 0;
+        let mut has_drawn = false;
+        let mut pass = |tiles: &[Tile], paint: Paint<'_, 'a, T>| {
+            self.run(tiles, paint, done).map_err(|()| Stopped { has_drawn })?;
+            done += tiles.len();
+            has_drawn = true;
+            Ok(())
+        };
+        for &square in coarse(self.settings) {
+            pass(&tiles(self.settings.size, square), &|worker, tile| worker.draw_squares(tile, square))?;
+            self.passed(Pass::Squares(square));
+            lock(self.canvas).remember(square);
+        }
+        let tiles = tiles(self.settings.size, 1);
+        pass(&tiles, &|worker, tile| worker.draw_centres(tile))?;
+        lock(self.canvas).forget();
+        let sample_passes = sample_passes(self.settings);
+        if !sample_passes.is_empty() {
+            self.passed(Pass::Samples(1));
+            lock(self.canvas).find_edges(&tiles);
+        }
+        for (index, ends) in sample_passes.iter().enumerate() {
+            pass(&tiles, &|worker, tile| worker.smooth_edges(tile, ends))?;
+            lock(self.canvas).show_edges();
+            if let (Some(&end), true) = (ends.last(), index + 1 < sample_passes.len()) {
+                self.passed(Pass::Samples(end));
+            }
+        }
+        Ok(())
+    }
+
+    fn passed(&self, pass: Pass) {
+        let mut canvas = lock(self.canvas);
+        canvas.drawing.pass = pass;
+        self.watch.passed(&canvas.drawing);
+    }
+
     /// Lets every thread take the next tile until none is left.
-    fn run(&self, paint: &(dyn Fn(&mut Worker<'a, T>, Tile) + Sync), done_before: usize) -> Result<(), Failure> {
+    fn run(&self, tiles: &[Tile], paint: Paint<'_, 'a, T>, done_before: usize) -> Result<(), ()> {
         let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(done_before));
+        let is_stopped = AtomicBool::new(false);
         let work = || {
             let mut worker = Worker::new(self);
-            while let Some(&tile) = self.tiles.get(next.fetch_add(1, Ordering::Relaxed)) {
+            while let Some(&tile) = tiles.get(next.fetch_add(1, Ordering::Relaxed)) {
                 if self.watch.is_cancelled() {
+                    is_stopped.store(true, Ordering::Relaxed);
                     break;
                 }
                 paint(&mut worker, tile);
@@ -203,7 +287,7 @@ impl<'a, T: Trace> Job<'a, T> {
             }
             worker.leave();
         };
-        let threads = self.settings.threads.clamp(1, self.tiles.len());
+        let threads = self.settings.threads.clamp(1, tiles.len());
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
         match pool {
             Ok(pool) if threads > 1 => {
@@ -212,111 +296,7 @@ impl<'a, T: Trace> Job<'a, T> {
             // One thread needs no others; and where the system gives none, one draws the same picture.
             _ => work(),
         }
-        if self.watch.is_cancelled() { Err(Failure::Cancelled) } else { Ok(()) }
-    }
-}
-
-/// One thread with its tracer and its room.
-struct Worker<'a, T> {
-    scene: &'a Scene,
-    settings: &'a Settings,
-    watch: &'a dyn Watch,
-    canvas: &'a Mutex<Canvas>,
-    tracer: T,
-    rays: Vec<Ray>,
-    heights: Vec<f64>,
-    hits: Vec<Hit>,
-    scratch: Scratch,
-    colours: Vec<[f32; 3]>,
-    trace_seconds: f64,
-    started: f64,
-}
-
-impl<'a, T: Trace> Worker<'a, T> {
-    fn new(job: &Job<'a, T>) -> Self {
-        let started = job.watch.seconds();
-        let tracer = (job.make_tracer)();
-        Worker {
-            scene: job.scene,
-            settings: job.settings,
-            watch: job.watch,
-            canvas: job.canvas,
-            tracer,
-            rays: Vec::new(),
-            heights: Vec::new(),
-            hits: Vec::new(),
-            scratch: Scratch::default(),
-            colours: Vec::new(),
-            trace_seconds: job.watch.seconds() - started,
-            started,
-        }
-    }
-
-    fn leave(self) {
-        let mut canvas = lock(self.canvas);
-        let report = &mut canvas.drawing.report;
-        report.counts.add(&self.tracer.counts());
-        report.trace_seconds += self.trace_seconds;
-        report.shade_seconds += (self.watch.seconds() - self.started - self.trace_seconds).max(0.0);
-    }
-
-    fn draw_centres(&mut self, tile: Tile) {
-        self.look(tile.pixels().map(|(i, j)| (i, j, 0)));
-        lock(self.canvas).keep(tile, &self.hits, &self.colours, self.settings.samples);
-    }
-
-    /// Gives every edge pixel of the tile the mean of several samples.
-    fn smooth_edges(&mut self, tile: Tile, edges: &Layer<bool>) {
-        let pixels: Vec<(u32, u32)> = tile.pixels().filter(|&(i, j)| edges.at(i, j)).collect();
-        if pixels.is_empty() {
-            return;
-        }
-        let all = self.settings.samples;
-        let first = FIRST_SAMPLES.min(all);
-        let mut samples: Vec<Vec<[f32; 3]>> = vec![Vec::new(); pixels.len()];
-        self.add_samples(&pixels, 0..first, &mut samples);
-        let torn: Vec<usize> = (0..pixels.len()).filter(|&k| sampling::is_torn(&samples[k])).collect();
-        if first < all && !torn.is_empty() {
-            let torn_pixels: Vec<(u32, u32)> = torn.iter().map(|&k| pixels[k]).collect();
-            let mut more = vec![Vec::new(); torn.len()];
-            self.add_samples(&torn_pixels, first..all, &mut more);
-            for (k, more) in torn.into_iter().zip(more) {
-                samples[k].extend(more);
-            }
-        }
-        let mut canvas = lock(self.canvas);
-        for (&(i, j), samples) in pixels.iter().zip(&samples) {
-            canvas.drawing.picture.set(i, j, sampling::mean(samples));
-        }
-    }
-
-    /// Takes the samples of these indices in every pixel, a batch of about a tile's rays at a time.
-    fn add_samples(&mut self, pixels: &[(u32, u32)], indices: std::ops::Range<u32>, samples: &mut [Vec<[f32; 3]>]) {
-        let batch = ((TILE * TILE) as usize / indices.len()).max(1);
-        for (pixels, samples) in pixels.chunks(batch).zip(samples.chunks_mut(batch)) {
-            self.look(pixels.iter().flat_map(|&(i, j)| indices.clone().map(move |k| (i, j, k))));
-            for (samples, colours) in samples.iter_mut().zip(self.colours.chunks(indices.len())) {
-                samples.extend_from_slice(colours);
-            }
-        }
-    }
-
-    /// Traces and shades the sample k of pixel (i, j) for all (i, j, k), into `hits` and `colours`.
-    fn look(&mut self, samples: impl Iterator<Item = (u32, u32, u32)>) {
-        let (width, height) = (self.settings.size.width(), self.settings.size.height());
-        self.rays.clear();
-        self.heights.clear();
-        for (i, j, k) in samples {
-            let (across, down) = sampling::offset(k);
-            let down = f64::from(j) + down;
-            self.rays.push(self.scene.camera.ray(width, height, f64::from(i) + across, down));
-            self.heights.push(down / f64::from(height));
-        }
-        let started = self.watch.seconds();
-        self.tracer.trace(&self.rays, &mut self.hits);
-        self.trace_seconds += self.watch.seconds() - started;
-        let seen = Seen { rays: &self.rays, hits: &self.hits, heights: &self.heights };
-        shade(self.settings.mode, self.scene, &mut self.tracer, seen, &mut self.scratch, &mut self.colours);
+        if is_stopped.into_inner() { Err(()) } else { Ok(()) }
     }
 }
 

@@ -3,11 +3,18 @@
 //! In: how far the drawing is. Out: whether to go on, and what time it is. Separate because drawing itself
 //! neither prints nor reads a clock.
 
+use super::tiles::Drawing;
+
 /// Told of progress, asked for the time and whether to stop. Called from several threads.
 pub trait Watch: Sync {
     /// `done` of `total` pieces of work are done.
     fn advanced(&self, done: usize, total: usize) {
         let _ = (done, total);
+    }
+
+    /// A whole pass is done and another will follow: the drawing as it is now.
+    fn passed(&self, drawing: &Drawing) {
+        let _ = drawing;
     }
 
     /// Whether to stop drawing.

@@ -48,6 +48,8 @@ pub struct Camera {
 pub enum CameraError {
     /// The eye is at the point it looks at, or nearer than a double can tell.
     NoDirection,
+    /// The eye or its distance is no finite number.
+    TooFar,
     /// The field of view is not between 0 and 180 degrees.
     FieldOfView,
     /// The height of parallel rays is not positive.
@@ -58,11 +60,14 @@ impl Camera {
     /// The camera at `eye` that looks at `look_at`.
     ///
     /// # Errors
-    /// If the two are one point, or the projection shows nothing.
+    /// If the two are one point or too far apart, or the projection shows nothing.
     pub fn new(eye: DVec3, look_at: DVec3, projection: Projection) -> Result<Self, CameraError> {
         let toward = look_at - eye;
         let length = toward.length();
-        if !(length > 0.0 && length.is_finite()) {
+        if !(eye.is_finite() && look_at.is_finite() && length.is_finite()) {
+            return Err(CameraError::TooFar);
+        }
+        if length == 0.0 {
             return Err(CameraError::NoDirection);
         }
         let (half_height, is_parallel) = match projection {
@@ -119,7 +124,10 @@ pub fn orbit(center: DVec3, azimuth: f64, elevation: f64, distance: f64) -> DVec
 impl fmt::Display for CameraError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            CameraError::NoDirection => "the eye is at the point it looks at; move one of them",
+            CameraError::NoDirection => {
+                "the eye is at the point it looks at, or nearer to it than can be told; move one of them"
+            }
+            CameraError::TooFar => "the eye is too far from what it looks at to be computed with; move it nearer",
             CameraError::FieldOfView => "the field of view must be more than 0 and less than 180 degrees",
             CameraError::Height => "the height of the picture in parallel rays must be more than 0",
         })
@@ -179,6 +187,10 @@ mod tests {
     fn impossible_cameras_are_refused() {
         let eye = DVec3::ONE;
         assert_eq!(Camera::new(eye, eye, FORTY), Err(CameraError::NoDirection));
+        for far in [DVec3::splat(1e200), DVec3::splat(f64::MAX), DVec3::splat(f64::INFINITY), DVec3::NAN] {
+            assert_eq!(Camera::new(far, DVec3::ZERO, FORTY), Err(CameraError::TooFar), "{far}");
+            assert_eq!(Camera::new(DVec3::ZERO, far, FORTY), Err(CameraError::TooFar), "{far}");
+        }
         for fov in [0.0, 180.0, -3.0, f64::NAN] {
             assert_eq!(Camera::new(eye, DVec3::ZERO, Projection::Perspective { fov }), Err(CameraError::FieldOfView));
         }

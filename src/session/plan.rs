@@ -10,7 +10,7 @@ use crate::expr::lower::{Clip as WrittenClip, ClipShape, Color, Kind as WrittenK
 use crate::film::Size;
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
-use crate::render::{Drawing, Failure, Mode, Settings, Watch};
+use crate::render::{Drawing, Failure, Mode, Passes, Settings, Watch};
 use crate::scene::framing::{self, Cell, MAX_POWER};
 use crate::scene::{Framing, Scene, Sides, View, colour};
 use crate::surface::{self, Clip, Shape, Surface, Tracer};
@@ -19,7 +19,7 @@ use glam::DVec3;
 /// The march's step, as a share of the region's diameter, where none is asked for.
 const MARCH_SHARE: f64 = 1.0 / 256.0;
 
-/// How far outside a bounded surface its sign is read, in radii: anywhere outside has the same.
+/// How far outside the region the sign of f is read, in radii: anywhere outside a bounded surface has the same.
 const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
 
 /// Modes that the design has and this version does not.
@@ -57,6 +57,8 @@ pub struct Wishes {
     pub keep_depth: bool,
     /// Whether normals are kept.
     pub keep_normals: bool,
+    /// In which passes it is drawn.
+    pub passes: Passes,
     /// Which instructions are used.
     pub simd: Simd,
 }
@@ -75,6 +77,8 @@ pub struct Plan {
     pub region: Vec<Shape>,
     /// The region, if it was found because none was given.
     pub found: Option<Framing>,
+    /// What was asked of the camera.
+    pub view: View,
 }
 
 /// Why nothing can be drawn.
@@ -114,7 +118,8 @@ impl Plan {
             }
             region = vec![framing.shape()];
         }
-        let scene = scene(program, wishes, &objects, &region, found, settings.size)?;
+        check_region(program, wishes, &region)?;
+        let scene = scene(program, wishes, &objects, &region, found, &settings)?;
         let graph = &mut program.lowered.graph;
         let surfaces: Vec<Surface> = objects
             .iter()
@@ -125,7 +130,8 @@ impl Plan {
             Method::March(Some(step)) => surface::Method::March { step },
             Method::March(None) => surface::Method::March { step: smallest(&region).size() * 2.0 * MARCH_SHARE },
         };
-        Ok(Plan { surfaces, scene, settings, method, region, found })
+        let view = wishes.view.or(written_view(program));
+        Ok(Plan { surfaces, scene, settings, method, region, found, view })
     }
 
     /// Draws it.
@@ -210,7 +216,8 @@ fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
     };
     let samples = wishes.samples.or(block.and_then(|render| render.samples)).unwrap_or_else(|| mode.default_samples());
     let threads = wishes.threads.max(1);
-    Ok(Settings { size, mode, samples, threads, keep_depth: wishes.keep_depth, keep_normals: wishes.keep_normals })
+    let Wishes { keep_depth, keep_normals, passes, .. } = *wishes;
+    Ok(Settings { size, mode, samples, threads, keep_depth, keep_normals, passes })
 }
 
 fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {
@@ -224,39 +231,60 @@ fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {
     Refusal::Program(vec![diagnostic])
 }
 
+/// Refuses a region that the square of a distance in it overflows for.
+fn check_region(program: &Program, wishes: &Wishes, region: &[Shape]) -> Result<(), Refusal> {
+    let shape = smallest(region);
+    if (shape.size() * shape.size()).is_finite() && shape.center().length_squared().is_finite() {
+        return Ok(());
+    }
+    let message = "the region is too large to be computed with";
+    let written = program.lowered.render.as_ref().and_then(|render| render.clip);
+    Err(match written.filter(|_| wishes.clip.is_empty()) {
+        Some(clip) => Refusal::Program(vec![Diagnostic::error(clip.span, message)]),
+        None => Refusal::Wishes(message.into()),
+    })
+}
+
+/// What the program says of the camera.
+fn written_view(program: &Program) -> View {
+    let block = program.lowered.camera;
+    View {
+        eye: block.and_then(|camera| camera.eye).map(DVec3::from),
+        look_at: block.and_then(|camera| camera.look_at).map(DVec3::from),
+        fov: block.and_then(|camera| camera.fov),
+        ..View::default()
+    }
+}
+
 fn scene(
     program: &Program,
     wishes: &Wishes,
     objects: &[Object],
     region: &[Shape],
     found: Option<Framing>,
-    size: Size,
+    settings: &Settings,
 ) -> Result<Scene, Refusal> {
-    let block = program.lowered.camera;
-    let file = View {
-        eye: block.and_then(|camera| camera.eye).map(DVec3::from),
-        look_at: block.and_then(|camera| camera.look_at).map(DVec3::from),
-        fov: block.and_then(|camera| camera.fov),
-        ..View::default()
-    };
-    let view = wishes.view.or(file);
+    let view = wishes.view.or(written_view(program));
     let shape = smallest(region);
     let look_at = view.look_at.unwrap_or_else(|| shape.center());
-    let mut radius = shape.size() + (look_at - shape.center()).length();
-    if found.is_none() && view.needs_reach() {
+    let whole = shape.size() + (look_at - shape.center()).length();
+    let reached = || {
         let (min, max) = bounds(&shape);
         let reach = framing::reach(&|min, max| classify_all(objects, min, max), min, max, look_at);
-        radius = if reach > 0.0 { radius.min(reach * MARGIN) } else { radius };
-    }
-    let aspect = f64::from(size.width()) / f64::from(size.height());
-    let camera = view.camera(look_at, radius, aspect).map_err(|error| match block {
+        if reach > 0.0 { whole.min(reach * MARGIN) } else { whole }
+    };
+    let radius = if found.is_none() && view.needs_reach() { reached() } else { whole };
+    let aspect = f64::from(settings.size.width()) / f64::from(settings.size.height());
+    let camera = view.camera(look_at, radius, aspect).map_err(|error| match program.lowered.camera {
         Some(block) if wishes.view == View::default() => {
             Refusal::Program(vec![Diagnostic::error(block.span, error.to_string())])
         }
         _ => Refusal::Wishes(error.to_string()),
     })?;
     let count = objects.len();
-    let sides = objects.iter().enumerate().map(|(index, object)| sides(object, index, count, found)).collect();
+    let sides = objects.iter().enumerate().map(|(index, object)| sides(object, index, count, &shape)).collect();
+    // The same region and camera are the same scene, whether they were found or given.
+    let radius = if settings.mode == Mode::Depth { reached() } else { whole };
     Ok(Scene { camera, sides, center: look_at, radius })
 }
 
@@ -270,16 +298,18 @@ fn bounds(shape: &Shape) -> (DVec3, DVec3) {
     }
 }
 
-/// The colours of a surface: its front is its outside, which for all that is framed whole is the far side.
-fn sides(object: &Object, index: usize, count: usize, found: Option<Framing>) -> Sides {
+/// The colours of a surface: its front is its outside, which is where f < 0 if f is so all around the region.
+fn sides(object: &Object, index: usize, count: usize, region: &Shape) -> Sides {
     let sides = match object.formula.color {
         Some(Color::Srgb(bytes)) => Sides::of(colour::from_bytes(bytes)),
         Some(Color::Linear(rgb)) => Sides::of(rgb.into()),
         None => Sides::by_default(index, count),
     };
-    let is_negative_outside = found
-        .filter(|framing| framing.is_all)
-        .is_some_and(|framing| object.f.value(framing.center + OUTSIDE * framing.radius) < 0.0);
+    let corner = |k: u32| DVec3::select(glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0), OUTSIDE, -OUTSIDE);
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| axis * OUTSIDE.x);
+    let around = (0..8).map(corner).chain(axes).chain(axes.map(|axis| -axis));
+    let is_negative_outside =
+        around.into_iter().all(|offset| object.f.value(region.center() + offset * region.size()) < 0.0);
     if is_negative_outside { Sides { front: sides.back, back: sides.front } } else { sides }
 }
 

@@ -24,6 +24,8 @@ pub struct Text {
 pub struct Program {
     /// Its texts, with those that were included.
     pub sources: Sources,
+    /// What was set from outside.
+    pub set: Vec<Setting>,
     /// Its mathematics.
     pub lowered: Lowered,
     /// Errors and notes; the program can be used if none is an error.
@@ -52,10 +54,11 @@ impl Program {
         let mut diagnostics = parsed.diagnostics;
         diagnostics.append(&mut texts.diagnostics);
         let incomplete = diagnostics.iter().any(|d| d.severity == Severity::Error);
-        let mut lowered = lower(&parsed.program, &Settings { set, incomplete });
+        let settings = Settings { set, incomplete };
+        let mut lowered = lower(&parsed.program, &settings);
         diagnostics.append(&mut lowered.diagnostics);
         diagnostics.sort_by_key(Diagnostic::span);
-        Program { sources: texts.sources, lowered, diagnostics }
+        Program { sources: texts.sources, set: settings.set, lowered, diagnostics }
     }
 
     /// Reads a program of one text that includes nothing.

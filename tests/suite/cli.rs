@@ -28,23 +28,70 @@ const ROWS: &[(&str, i32, &str)] = &[
     ("-o|a.png|-s|8x6|--|-x^2-y^2=z", 0, ""),
     ("x^2+y^2+z^2=1", 2, "add -o picture.png"),
     ("-x^2-y^2=z|-o|a.png", 2, "implicit -o a.png -- '-x^2-y^2=z'"),
-    ("x^2+y^2+z^2=1|-o|a.gif", 2, ".png or .exr"),
-    ("x^2+y^2+z^2=1|-o|a.jpg", 2, "not built yet"),
+    ("x^2+y^2+z^2=1|-o|a.jpg|-s|8x6", 0, ""),
+    ("x^2+y^2+z^2=1|-o|a.JPEG|-s|8x6", 0, ""),
+    ("x^2+y^2+z^2=1|-o|a.webp|-s|8x6", 0, ""),
+    ("x^2+y^2+z^2=1|-o|a.tiff|-s|8x6", 0, ""),
+    ("x^2+y^2+z^2=1|-o|a.Tif|-s|8x6", 0, ""),
+    ("x^2+y^2+z^2=1|-o|a.gif", 2, "'a.gif' must end in .png, .jpg, .webp, .tiff or .exr"),
+    ("x^2+y^2+z^2=1|-o|picture", 2, "must end in .png"),
+    ("x^2+y^2+z^2=1|-o|", 2, "a value is required"),
+    ("x^2+y^2+z^2=1|-o|.", 2, "must end in .png"),
+    ("x^2+y^2+z^2=1|-o|a.webp|-s|16385x1", 2, "at most 16384 pixels a side"),
+    ("x^2+y^2+z^2=1|-o|a.jpg|-s|65536x1", 2, "at most 65535 pixels a side"),
     ("x^2+y^2+z^2=1|-o|a.png|--mode|path", 2, "not built yet"),
     ("x^2+y^2+z^2=1|-o|a.png|--mode|nice", 2, "no mode 'nice'"),
     ("x^2+y^2+z^2=1|-o|a.png|--step|0.1", 2, "--method march"),
-    ("x^2+y^2+z^2=1|-o|a.png|--progressive", 2, "not built yet"),
+    ("x^2+y^2+z^2=1|-o|a.png|-s|8x6|--progressive|--time-budget|9", 0, ""),
+    ("x^2+y^2+z^2=1|-o|-|--progressive", 2, "'-' is none"),
+    ("x^2+y^2+z^2=1|--depth|d.exr|--progressive", 2, "add -o picture.png"),
+    ("x^2+y^2+z^2=1|-o|a.png|--time-budget|0", 2, "more than 0"),
+    ("x^2+y^2+z^2=1|-o|a.png|--time-budget|soon", 2, "'soon' is no number"),
     ("x^2+y^2+z^2=1|-o|a.png|--size|8193x8192", 2, "2^26"),
     ("x^2+y^2+z^2=1|-o|a.png|--size|0x5", 2, "at least one pixel"),
     ("x^2+y^2+z^2=1|-o|a.png|--fov|180", 2, "less than 180"),
     ("x^2+y^2+z^2=1|-o|a.png|--box|1,0,0,1,0,1", 2, "in x the lower end"),
     ("x^2+y^2+z^2=1|-o|a.png|--ball|0,0,0,-1", 2, "radius"),
-    ("x^2+y^2+z^2=1|-o|a.png|--eye|1,2", 2, "3 numbers"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye|1,2", 2, "3 numbers with commas between them are needed, as in 1,2,3; here are 2"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye|1|-2|3", 2, "  implicit 'x^2+y^2+z^2=1' -o a.png --eye 1,-2,3\n"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye|1|2", 2, "'--eye <X,Y,Z>': 3 numbers with commas between them"),
+    ("eval|x|--at|(1, 2, 3)", 2, "  implicit eval x --at 1,2,3"),
+    ("eval|x|--at|1 2", 2, "here are 2"),
+    ("x^2+y^2+z^2=1|-o|a.png|--threads|-3", 2, "'-3' is no whole number"),
+    ("x^2+y^2+z^2=1|-o|a.png|--bounces|x", 2, "a whole number from 0"),
+    ("x^2+y^2+z^2=1|-o|a.png|--samples|0", 2, "a whole number from 1 to 65536"),
+    ("x^2+y^2+z^2=1|-o|a.png|--seed|-1", 2, "a whole number from 0"),
+    ("x^2+y^2+z^2=1|-o|a.png|--fov|-5", 2, "more than 0"),
+    ("x^2+y^2+z^2=1|-o|a.png|--size|-8x6", 2, "'-8x6' is no size"),
+    ("x^2+y^2+z^2=1|-o|a.png|--set|-a=1", 2, "'-a' is no name"),
+    ("x^2+y^2+z^2=1|-o|a.png|--ball|0,0,0,1e200|--eye|1,2,3", 2, "the region is too large"),
+    ("x^2+y^2+z^2=1|-o|a.png|--box|-1e308,1e308,-1,1,-1,1", 2, "the region is too large"),
+    ("x^2+y^2+z^2=1 { clip: ball(0,0,0,2) }; render { clip: box(-1e308..1e308, 0..1, 0..1) }|-o|a.png", 1, ":1:"),
+    ("chek|x=1|-o|a.png", 1, "if a command was meant: implicit check"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye|1 2 3", 2, "  implicit 'x^2+y^2+z^2=1' -o a.png --eye 1,2,3\n"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye=(1, -2, 3)", 2, "  implicit 'x^2+y^2+z^2=1' -o a.png --eye=1,-2,3\n"),
+    ("x^2+y^2+z^2=1|--orbit|30 20|-o|a.png", 2, "  implicit 'x^2+y^2+z^2=1' --orbit 30,20 -o a.png\n"),
+    ("x^2+y^2+z^2=1|-o|a.png|--box|-1 1 -1 1 -1 1", 2, "--box -1,1,-1,1,-1,1\n"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye|nan,0,0", 2, "'nan' is not finite"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye|1e999,0,0", 2, "'1e999' is not finite"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye|1e308,0,0|--look-at|-1e308,0,0", 2, "too far"),
+    ("x^2+y^2+z^2=1|-o|a.png|--orbit|0,0,1.7e308|--look-at|1e308,0,0", 2, "too far"),
+    ("x^2+y^2+z^2=1|-o|a.png|--fov|1e-320", 2, "too far"),
+    ("x^2+y^2+z^2=1|-o|a.png|--eye|1e-200,0,0|--look-at|0,0,0", 2, "nearer to it than can be told"),
     ("x^2+y^2+z^2=1|-o|a.png|--eye|0,0,0|--look-at|0,0,0", 2, "the eye is at the point"),
     ("x^2+y^2+z^2=1|-o|a.png|--eye|1,2,3|--orbit|1,2", 2, "--orbit"),
     ("x^2+y^2+z^2=1|-o|a.exr|--depth|a.exr", 2, "asked for twice"),
+    ("x^2+y^2+z^2=1|-o|a.exr|--depth|./a.exr", 2, "asked for twice"),
+    ("x^2+y^2+z^2=1|-o|-|--stats-json|-", 2, "asked for twice"),
+    ("x^2+y^2+z^2=1|--depth|-", 2, "must end in .exr"),
+    ("x^2+y^2+z^2=1|-o|a.png|-o|b.png", 2, "cannot be used multiple times"),
+    ("x^2+y^2+z^2=1|-o", 2, "a value is required"),
     ("x^2+y^2+z^2=1|--depth|a.png", 2, "must end in .exr"),
     ("x^2+y^2+z^2=1|-o|a.png|--no-such-option", 2, "--no-such-option"),
+    ("x^2+y^2+z^2=1|-o|a.png|--colour|red", 2, "implicit 'x^2 + y^2 + z^2 = 1 { color: red }'"),
+    ("x^2+y^2+z^2=1|-o|a.png|--siz|8x6", 2, "exists: '--size'"),
+    ("x^2+y^2+z^2=1|-o|a.png|-s|8x6|--box|5,6,5,6,5,6", 0, "empty, no pixel's ray meets a surface; without --box the"),
+    ("x^2+y^2+z^2=1|-o|a.png|-s|8x6|--eye|0,0,5|--look-at|0,0,9", 0, "without --eye and --look-at the program finds"),
     ("x^2+y^2+z^2=1|-o|missing/a.png", 1, "cannot write 'missing/a.png'"),
     ("x^2+y^2+z^2+1=0|-o|a.png", 1, "there is nothing to see: f > 0 everywhere"),
     ("sqrt(-1-x^2)=y|-o|a.png", 1, "there is nothing to see: f has no value"),
@@ -54,7 +101,12 @@ const ROWS: &[(&str, i32, &str)] = &[
     ("1/2x=y|-o|a.png|-s|8x6|--strict", 1, "error"),
     ("x^2+y^2+z^2=1|-o|a.png|--set|b=1", 1, "b"),
     ("5|-o|a.png", 1, "error"),
-    ("explain|x", 2, "not built yet"),
+    ("lesson|x", 2, "not built yet"),
+    ("--quiet|check|x=1|-o|a.png", 1, "check"),
+    ("-o|a.png|--|eval", 1, "eval"),
+    ("import", 2, "PICTURE.png"),
+    ("import|missing.png", 1, "cannot import 'missing.png'"),
+    ("completions|tcsh", 2, "there are bash, zsh, fish, elvish, powershell and man"),
     ("check|x^2+y^2=1", 0, ""),
     ("check|x^2+(y", 1, "--> <argument 1>:1:"),
     ("check|R = 2|x^2+y^2=R|--of|R", 0, ""),
@@ -88,9 +140,30 @@ fn commands_end_with_their_status_and_words_and_leave_no_file_behind_when_they_f
 }
 
 #[test]
+fn shells_and_man_get_what_they_read() {
+    let folder = Folder::new();
+    let rows = [
+        ("bash", "_implicit()"),
+        ("zsh", "#compdef implicit"),
+        ("fish", "complete -c implicit"),
+        ("elvish", "set edit:completion:arg-completer[implicit]"),
+        ("powershell", "Register-ArgumentCompleter"),
+        ("man", ".TH implicit 1"),
+    ];
+    for (script, start) in rows {
+        let said = folder.run(&["completions", script]);
+        let text = String::from_utf8(said.out).unwrap();
+        assert_eq!((said.status, said.err.as_str()), (0, ""));
+        assert!(
+            text.contains(start) && ["time", "studio", "eval", "completions"].iter().all(|word| text.contains(word))
+        );
+    }
+}
+
+#[test]
 fn quiet_commands_say_nothing() {
     let folder = Folder::new();
-    let said = folder.run(&words("1/2x=y|-o|a.png|-s|8x6|--quiet|--ball|0,0,0,2"));
+    let said = folder.run(&words("1/2x=y|-o|a.png|-s|8x6|--quiet|--ball|0,0,0,2|--eye|9,9,9|--look-at|99,9,9"));
     assert_eq!((said.status, said.err.as_str()), (0, ""));
 }
 
@@ -209,6 +282,16 @@ fn standard_output_takes_a_picture_and_may_be_full_or_closed() {
         let output = Command::new(PROGRAM).args(SMALL).args(["-o", "-"]).stdout(full).output().unwrap();
         let said_full = said(output);
         assert!(said_full.status == 1 && said_full.err.contains("standard output"), "{}", said_full.err);
+        let said_full = folder.run(&[&SMALL[..], &["-o", "/dev/full"]].concat());
+        assert!(said_full.status == 1 && said_full.err.contains("no space left"), "{}", said_full.err);
+        for args in [&["--help"][..], &["completions", "man"], &["eval", "x", "--at", "1,2,3"]] {
+            let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+            assert_eq!(
+                Command::new(PROGRAM).args(args).stdout(full).output().unwrap().status.code(),
+                Some(1),
+                "{args:?}"
+            );
+        }
         let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
         let status = Command::new(PROGRAM).args(["x=("]).args(["-o", "a.png"]).stderr(full).status().unwrap();
         assert_eq!(status.code(), Some(1));
@@ -222,6 +305,10 @@ fn standard_output_takes_a_picture_and_may_be_full_or_closed() {
         .unwrap();
     drop(child.stdout.take());
     assert_eq!(said(child.wait_with_output().unwrap()).status, 1);
+    // Who reads text and has had enough is content.
+    let mut child = Command::new(PROGRAM).arg("--help").stdout(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    assert_eq!(child.wait().unwrap().code(), Some(0));
 }
 
 #[cfg(unix)]
@@ -254,6 +341,12 @@ fn arguments_that_are_no_text_are_refused() {
     for (args, status) in rows {
         assert_eq!(folder.run(args).status, status);
     }
+    let picture = OsStr::from_bytes(b"\xff.png");
+    let args: Vec<&OsStr> = SMALL.iter().map(OsStr::new).chain([OsStr::new("-o"), picture]).collect();
+    assert_eq!(folder.run(&args).status, 0);
+    assert_eq!(folder.run(&[OsStr::new("import"), picture]).status, 0);
+    let said = folder.run(&[OsStr::new("import"), OsStr::from_bytes(b"\xfe.png")]);
+    assert!(said.status == 1 && said.err.contains("no such file"), "{}", said.err);
 }
 
 #[cfg(target_os = "linux")]

@@ -124,7 +124,7 @@ fn the_limits_are_those_of_the_code() {
         ("levels of `include`", implicit::session::include::MAX_LEVELS),
         ("files in one program", implicit::session::include::MAX_FILES),
         ("pixels of a picture", implicit::film::size::MAX_PIXELS as usize),
-        ("threads", implicit::cli::args::MAX_THREADS),
+        ("threads", implicit::cli::values::MAX_THREADS),
         ("errors that are shown, and notes", syntax::MAX_REPORTED),
     ];
     for (what, most) in limits {

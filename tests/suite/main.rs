@@ -4,6 +4,7 @@
 //! is judged here is more than one module.
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
 
+mod again;
 mod cli;
 mod closures;
 mod command;
@@ -14,7 +15,9 @@ mod language;
 mod long_texts;
 mod mistakes;
 mod npy;
+mod passes;
 mod pictures;
+mod terminal;
 mod tidy;
 mod tidy_scan;
 mod truth;

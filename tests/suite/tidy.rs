@@ -14,10 +14,11 @@ const ORDER: [&str; 12] =
 const STRANGERS: [(&str, &str); 1] = [("diag", "num")];
 
 /// Crates that only some modules may name; `main` is `main.rs`.
-const ROOMS: [(&str, &[&str]); 13] = [
+const ROOMS: [(&str, &[&str]); 14] = [
     ("nom", &["syntax"]),
     ("clap", &["cli", "main"]),
     ("clap_complete", &["cli"]),
+    ("clap_mangen", &["cli"]),
     ("image", &["film"]),
     ("png", &["film"]),
     ("exr", &["film"]),

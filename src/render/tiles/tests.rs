@@ -4,6 +4,7 @@ use super::*;
 use crate::film::Size;
 use crate::render::{Mode, Silent};
 use crate::scene::{Camera, Projection, Sides};
+use crate::surface::Ray;
 use glam::DVec3;
 
 /// The unit sphere around the origin.
@@ -43,7 +44,7 @@ fn scene() -> Scene {
 
 fn settings(mode: Mode, samples: u32) -> Settings {
     let size = Size::new(75, 50).unwrap();
-    Settings { size, mode, samples, threads: 1, keep_depth: true, keep_normals: true }
+    Settings { size, mode, samples, keep_depth: true, keep_normals: true, ..Settings::default() }
 }
 
 fn drawn(settings: &Settings) -> Drawing {
@@ -126,4 +127,89 @@ fn a_cancelled_drawing_is_none() {
     }
     let result = draw(&scene(), &settings(Mode::Studio, 1), &UnitSphere::default, &Cancelled);
     assert_eq!(result.err(), Some(Failure::Cancelled));
+}
+
+/// Looks on and remembers; stops when a number of tiles is done.
+struct Onlooker {
+    stop_after: usize,
+    done: AtomicUsize,
+    seen: Mutex<Vec<(Pass, Layer<[f32; 3]>)>>,
+}
+
+impl Onlooker {
+    fn new(stop_after: usize) -> Self {
+        Onlooker { stop_after, done: AtomicUsize::new(0), seen: Mutex::new(Vec::new()) }
+    }
+}
+
+impl Watch for Onlooker {
+    fn advanced(&self, done: usize, total: usize) {
+        assert!(done <= total);
+        self.done.fetch_add(1, Ordering::Relaxed);
+    }
+
+    fn passed(&self, drawing: &Drawing) {
+        self.seen.lock().unwrap().push((drawing.pass, drawing.picture.clone()));
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.done.load(Ordering::Relaxed) >= self.stop_after
+    }
+}
+
+fn drawn_before(settings: &Settings, onlooker: &Onlooker) -> Result<Drawing, Failure> {
+    draw(&scene(), settings, &UnitSphere::default, onlooker)
+}
+
+#[test]
+fn passes_end_in_the_picture_that_is_drawn_without_them() {
+    for samples in [1, 3, 5, 16, 17, 100] {
+        let plain = drawn(&settings(Mode::Studio, samples));
+        for passes in [Passes::Many, Passes::CoarseFirst] {
+            let onlooker = Onlooker::new(usize::MAX);
+            let settings = Settings { passes, threads: 2, ..settings(Mode::Studio, samples) };
+            let drawing = drawn_before(&settings, &onlooker).unwrap();
+            assert!(drawing.picture == plain.picture, "{samples} {passes:?}");
+            assert_eq!((drawing.pass, drawing.report.hits), (Pass::Last, plain.report.hits));
+            assert_eq!(onlooker.done.into_inner(), pieces(&settings));
+            let mut expected = Vec::new();
+            expected.extend(coarse(&settings).iter().map(|&side| Pass::Squares(side)));
+            expected.extend([1, 5, 16, 64].into_iter().filter(|&n| n < samples).map(Pass::Samples));
+            let seen = onlooker.seen.into_inner().unwrap();
+            assert_eq!(seen.iter().map(|(pass, _)| *pass).collect::<Vec<_>>(), expected);
+        }
+    }
+}
+
+#[test]
+fn a_stopped_drawing_is_its_last_whole_pass() {
+    let settings = Settings { passes: Passes::CoarseFirst, ..settings(Mode::Studio, 64) };
+    let all = Onlooker::new(usize::MAX);
+    drawn_before(&settings, &all).unwrap();
+    let passes = all.seen.into_inner().unwrap();
+    let mut last = None;
+    for stop_after in 1..pieces(&settings) {
+        match drawn_before(&settings, &Onlooker::new(stop_after)) {
+            Err(Failure::Cancelled) => assert!(last.is_none()),
+            Ok(drawing) => {
+                let (_, expected) = passes.iter().find(|(pass, _)| *pass == drawing.pass).unwrap();
+                assert!(drawing.picture == *expected, "{stop_after}: {:?}", drawing.pass);
+                last = Some(drawing.pass);
+            }
+        }
+    }
+    assert_eq!(last, Some(Pass::Samples(16)));
+}
+
+#[test]
+fn squares_have_the_colour_of_their_middle() {
+    let onlooker = Onlooker::new(usize::MAX);
+    let settings = Settings { passes: Passes::CoarseFirst, ..settings(Mode::Normal, 1) };
+    let plain = drawn_before(&settings, &onlooker).unwrap().picture;
+    let seen = onlooker.seen.into_inner().unwrap();
+    let coarse = &seen[1].1;
+    for (i, j) in [(0, 0), (33, 21), (74, 49), (40, 25)] {
+        let middle = |at: u32, end: u32| at / 4 * 4 + (end - at / 4 * 4).min(4) / 2;
+        assert_eq!(coarse.at(i, j), plain.at(middle(i, 75), middle(j, 50)));
+    }
 }

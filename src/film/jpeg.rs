@@ -1,0 +1,50 @@
+//! JPEG: eight bits a channel, sRGB, small and lossy.
+//!
+//! In: a layer and how its values are to be shown. Out: the bytes of a JPEG file, the same for the same layer.
+
+use super::{EncodeError, Layer, Tone};
+use ::image::ExtendedColorType;
+use ::image::codecs::jpeg::JpegEncoder;
+
+/// Of 1 to 100: where edges of surfaces show no rings any more and files are a third of a PNG's.
+const QUALITY: u8 = 95;
+
+/// A side has 16 bits in the file (ITU-T T.81, B.2.2).
+pub const MAX_SIDE: u32 = u16::MAX as u32;
+
+/// Encodes a picture as a JPEG file.
+///
+/// # Errors
+/// If a side is longer than [`MAX_SIDE`].
+pub fn encode(picture: &Layer<[f32; 3]>, tone: Tone) -> Result<Vec<u8>, EncodeError> {
+    let mut bytes = Vec::new();
+    JpegEncoder::new_with_quality(&mut bytes, QUALITY)
+        .encode(&tone.all_bytes(picture), picture.size.width(), picture.size.height(), ExtendedColorType::Rgb8)
+        .map_err(|e| EncodeError { message: e.to_string() })?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::Size;
+
+    #[test]
+    fn what_is_written_reads_back_nearly() {
+        let picture = Layer::sample(Size::new(70, 41).unwrap());
+        let bytes = encode(&picture, Tone::Linear).unwrap();
+        assert_eq!(bytes, encode(&picture, Tone::Linear).unwrap());
+        // The decoder (zune-jpeg) shares no line with the encoder.
+        let read = ::image::load_from_memory(&bytes).unwrap().into_rgb8();
+        assert_eq!(read.dimensions(), (70, 41));
+        let expected = Tone::Linear.all_bytes(&picture);
+        let worst = read.as_raw().iter().zip(&expected).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+        assert!(worst <= 12, "{worst}");
+    }
+
+    #[test]
+    fn sides_that_do_not_fit_are_refused() {
+        let picture = Layer::filled(Size::new(65_536, 1).unwrap(), [0.0; 3]);
+        assert!(encode(&picture, Tone::Linear).is_err());
+    }
+}

@@ -1,0 +1,145 @@
+//! What all threads draw on.
+//!
+//! In: what the rays of a tile know, and what further samples add. Out: the drawing, whole after every pass.
+
+use super::knowledge::{Knowledge, edges};
+use super::sampling;
+use super::settings::Settings;
+use super::tiles::{Drawing, Pass, Report, Tile};
+use crate::film::{Layer, Size};
+use crate::surface::{Counts, Hit};
+use std::sync::{Mutex, MutexGuard};
+
+/// What all threads write to, under one lock that is held for a copy at a time.
+pub struct Canvas {
+    /// The drawing so far.
+    pub drawing: Drawing,
+    known: Layer<Knowledge>,
+    /// The colours of the squares that the last pass left, while the next draws over them.
+    squares: Option<Layer<[f32; 3]>>,
+    /// By tile, the pixels that get more samples.
+    edges: Vec<Vec<Edge>>,
+}
+
+/// A pixel that gets more samples than one.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge {
+    /// Which pixel.
+    pub at: (u32, u32),
+    /// Its samples, added up.
+    pub sum: [f64; 3],
+    /// How many there are.
+    pub count: u32,
+    /// Whether they still differ.
+    pub is_torn: bool,
+}
+
+impl Canvas {
+    /// An empty one.
+    pub fn new(settings: &Settings) -> Self {
+        let size = settings.size;
+        let known_size = if settings.samples > 1 { size } else { Size::new(1, 1).unwrap_or_default() };
+        Canvas {
+            drawing: Drawing {
+                picture: Layer::filled(size, [0.0; 3]),
+                depth: settings.keep_depth.then(|| Layer::filled(size, f32::INFINITY)),
+                normals: settings.keep_normals.then(|| Layer::filled(size, [f32::NAN; 3])),
+                report: Report::default(),
+                pass: Pass::Last,
+            },
+            known: Layer::filled(known_size, Knowledge::MISS),
+            squares: None,
+            edges: Vec::new(),
+        }
+    }
+
+    /// Keeps what the rays through the centres of a tile's pixels know.
+    pub fn keep(&mut self, tile: Tile, hits: &[Hit], colours: &[[f32; 3]], samples: u32) {
+        for (((i, j), hit), &colour) in tile.pixels().zip(hits).zip(colours) {
+            self.drawing.picture.set(i, j, colour);
+            if let Some(depth) = &mut self.drawing.depth {
+                depth.set(i, j, hit.t as f32);
+            }
+            if let Some(normals) = &mut self.drawing.normals {
+                normals.set(i, j, hit.normal.as_vec3().to_array());
+            }
+            if samples > 1 {
+                self.known.set(i, j, Knowledge::of(hit));
+            }
+            self.drawing.report.count(hit);
+        }
+    }
+
+    /// Fills squares with their colours.
+    pub fn fill(&mut self, squares: impl Iterator<Item = Tile>, colours: &[[f32; 3]]) {
+        for (square, &colour) in squares.zip(colours) {
+            square.pixels().for_each(|(i, j)| self.drawing.picture.set(i, j, colour));
+        }
+    }
+
+    /// The pixels of a tile that get more samples; taken away until they are put back.
+    pub fn take_edges(&mut self, tile: Tile) -> Vec<Edge> {
+        std::mem::take(&mut self.edges[tile.index])
+    }
+
+    /// Puts them back.
+    pub fn put_edges(&mut self, tile: Tile, edges: Vec<Edge>) {
+        self.edges[tile.index] = edges;
+    }
+
+    /// Remembers a picture of squares of this side, for the case that the next pass is not finished.
+    pub fn remember(&mut self, side: u32) {
+        let size = self.drawing.picture.size;
+        let Ok(count) = Size::new(size.width().div_ceil(side).into(), size.height().div_ceil(side).into()) else {
+            return;
+        };
+        let corner = |k: u32| self.drawing.picture.at(k % count.width() * side, k / count.width() * side);
+        let values = (0..count.width() * count.height()).map(corner).collect();
+        self.squares = Some(Layer { size: count, values });
+    }
+
+    /// The next pass is finished.
+    pub fn forget(&mut self) {
+        self.squares = None;
+    }
+
+    /// The drawing as the last whole pass left it.
+    pub fn into_drawing(mut self) -> Drawing {
+        if let (Some(squares), Pass::Squares(side)) = (&self.squares, self.drawing.pass) {
+            let size = self.drawing.picture.size;
+            for (i, j) in (0..size.height()).flat_map(|j| (0..size.width()).map(move |i| (i, j))) {
+                self.drawing.picture.set(i, j, squares.at(i / side, j / side));
+            }
+        }
+        self.drawing
+    }
+
+    /// Adds what a thread did to the report.
+    pub fn add_work(&mut self, counts: &Counts, trace_seconds: f64, shade_seconds: f64) {
+        let report = &mut self.drawing.report;
+        report.counts.add(counts);
+        report.trace_seconds += trace_seconds;
+        report.shade_seconds += shade_seconds;
+    }
+
+    /// Finds the pixels that get more samples; the ray through its centre is the first of each.
+    pub fn find_edges(&mut self, tiles: &[Tile]) {
+        let picture = &self.drawing.picture;
+        let is_edge = edges(picture, &self.known);
+        let first = |at: (u32, u32)| Edge { at, sum: picture.at(at.0, at.1).map(f64::from), count: 1, is_torn: true };
+        let of_tile = |tile: &Tile| tile.pixels().filter(|&(i, j)| is_edge.at(i, j)).map(first).collect();
+        self.edges = tiles.iter().map(of_tile).collect();
+    }
+
+    /// Puts the means of all samples into the picture.
+    pub fn show_edges(&mut self) {
+        for edge in self.edges.iter().flatten() {
+            self.drawing.picture.set(edge.at.0, edge.at.1, sampling::mean(edge.sum, edge.count));
+        }
+    }
+}
+
+/// The canvas, for the time of a copy.
+pub fn lock(canvas: &Mutex<Canvas>) -> MutexGuard<'_, Canvas> {
+    canvas.lock().expect("a thread that panics ends the drawing")
+}
