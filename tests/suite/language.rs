@@ -68,10 +68,10 @@ fn blocks_say_what_flags_say_and_a_flag_wins() {
     ];
     let folder = Folder::new();
     let picture = |program: &str, flags: &[&str]| {
-        let args: Vec<&str> = ["-o", "p.png", "--quiet"].iter().chain(flags).copied().chain(["--", program]).collect();
+        let args: Vec<&str> = ["-o", "p.webp", "--quiet"].iter().chain(flags).copied().chain(["--", program]).collect();
         let said = folder.run(&args);
         assert_eq!(said.status, 0, "{program} {flags:?}: {}", said.err);
-        folder.read("p.png")
+        folder.read("p.webp")
     };
     let size = |flags: &[&'static str]| if flags.contains(&"--size") { vec![] } else { vec!["--size", "16x12"] };
     for (block, flags) in rows {
@@ -91,7 +91,7 @@ fn blocks_say_what_flags_say_and_a_flag_wins() {
 fn a_mode_of_the_program_that_is_unknown_or_not_built_is_refused_in_its_place() {
     let folder = Folder::new();
     for (mode, words) in [("whitted", "is not built yet"), ("nonsense", "there is no mode")] {
-        let said = folder.run(&["-o", "p.png", &format!("z = x*y; render {{ mode: {mode} }}")]);
+        let said = folder.run(&["-o", "p.webp", &format!("z = x*y; render {{ mode: {mode} }}")]);
         assert!(said.status == 1 && said.err.contains(words) && said.err.contains("<argument 1>:1:25"), "{said:?}");
     }
 }
