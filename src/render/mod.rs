@@ -6,7 +6,7 @@
 //! - [`settings`]: the modes, and what else can be chosen.
 //! - [`watch`]: who looks on: progress, cancelling, the clock.
 //! - [`trace`]: who traces rays.
-//! - [`tiles`]: the picture in squares, each drawn by one thread.
+//! - [`tiles`]: the picture in squares; `worker`: the thread that draws one.
 //! - [`knowledge`]: what the centre ray of a pixel knows, in four bytes, and where neighbours differ.
 //! - [`sampling`]: where in a pixel the rays go, and when they are enough.
 //! - [`integrator`]: from hits to light, by mode: [`cosine`], [`mirror`], [`studio`], [`data`].
@@ -22,6 +22,7 @@ pub mod studio;
 pub mod tiles;
 pub mod trace;
 pub mod watch;
+mod worker;
 
 pub use settings::{Mode, Settings};
 pub use tiles::{Drawing, Failure, Report, draw};

@@ -4,21 +4,21 @@
 //! has many at once; which thread draws a tile changes nothing, because tiles are written to their own places and
 //! sums are of whole numbers.
 
-use super::integrator::{Scratch, Seen, shade};
 use super::knowledge::{Knowledge, edges};
-use super::sampling::{self, FIRST_SAMPLES};
-use super::settings::Settings;
+use super::settings::{Mode, Settings};
+use super::studio::glimpse::Remembered;
 use super::trace::Trace;
 use super::watch::Watch;
+use super::worker::Worker;
 use crate::film::Layer;
 use crate::scene::Scene;
-use crate::surface::{Counts, Hit, Outcome, Ray};
+use crate::surface::{Counts, Hit, Outcome};
 use std::fmt;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The side of a tile in pixels: 1024 rays fill the tracer's lanes and still fit the nearest caches.
-const TILE: u32 = 32;
+pub(super) const TILE: u32 = 32;
 
 /// The stack of a drawing thread in bytes: as large as a main thread's usually is.
 const STACK: usize = 8 << 20;
@@ -87,29 +87,34 @@ pub fn draw<T: Trace>(
 ) -> Result<Drawing, Failure> {
     let canvas = Mutex::new(Canvas::new(settings));
     let tiles = tiles_of(settings);
-    let passes = if settings.samples > 1 { 2 } else { 1 };
+    let (is_studio, is_smoothed) = (settings.mode == Mode::Studio, settings.samples > 1);
+    let passes = 1 + usize::from(is_studio) + usize::from(is_smoothed);
     let job = Job { scene, settings, make_tracer, watch, canvas: &canvas, tiles: &tiles, total: tiles.len() * passes };
     job.run(&|worker, tile| worker.draw_centres(tile), 0)?;
-    if settings.samples > 1 {
+    let memory = lock(&canvas).memory.take();
+    if let Some(memory) = &memory {
+        job.run(&|worker, tile| worker.light(tile, memory), tiles.len())?;
+    }
+    if is_smoothed {
         let edges = {
             let canvas = lock(&canvas);
             edges(&canvas.drawing.picture, &canvas.known)
         };
-        job.run(&|worker, tile| worker.smooth_edges(tile, &edges), tiles.len())?;
+        job.run(&|worker, tile| worker.smooth_edges(tile, &edges, memory.as_ref()), tiles.len() * (passes - 1))?;
     }
     Ok(canvas.into_inner().expect("a thread that panics ends the drawing").drawing)
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Tile {
-    left: u32,
-    top: u32,
-    width: u32,
-    height: u32,
+pub(super) struct Tile {
+    pub left: u32,
+    pub top: u32,
+    pub width: u32,
+    pub height: u32,
 }
 
 impl Tile {
-    fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
+    pub(super) fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
         (self.top..self.top + self.height).flat_map(move |j| (self.left..self.left + self.width).map(move |i| (i, j)))
     }
 }
@@ -124,9 +129,11 @@ fn tiles_of(settings: &Settings) -> Vec<Tile> {
 }
 
 /// What all threads write to, under one lock that is held for a copy at a time.
-struct Canvas {
-    drawing: Drawing,
+pub(super) struct Canvas {
+    pub drawing: Drawing,
     known: Layer<Knowledge>,
+    /// What mode `studio` keeps for neighbours.
+    memory: Option<Layer<Remembered>>,
 }
 
 impl Canvas {
@@ -141,12 +148,13 @@ impl Canvas {
                 report: Report::default(),
             },
             known: Layer::filled(known_size, Knowledge::MISS),
+            memory: (settings.mode == Mode::Studio).then(|| Layer::filled(size, Remembered::NONE)),
         }
     }
 
-    fn keep(&mut self, tile: Tile, hits: &[Hit], colours: &[[f32; 3]], samples: u32) {
-        for (((i, j), hit), &colour) in tile.pixels().zip(hits).zip(colours) {
-            self.drawing.picture.set(i, j, colour);
+    /// Keeps what the centre rays know.
+    pub(super) fn keep(&mut self, tile: Tile, hits: &[Hit], samples: u32) {
+        for ((i, j), hit) in tile.pixels().zip(hits) {
             if let Some(depth) = &mut self.drawing.depth {
                 depth.set(i, j, hit.t as f32);
             }
@@ -158,6 +166,18 @@ impl Canvas {
             }
             self.drawing.report.count(hit);
         }
+    }
+
+    /// Keeps it for neighbours.
+    pub(super) fn remember(&mut self, tile: Tile, remembered: impl Iterator<Item = Remembered>) {
+        if let Some(memory) = &mut self.memory {
+            tile.pixels().zip(remembered).for_each(|((i, j), kept)| memory.set(i, j, kept));
+        }
+    }
+
+    /// Gives the pixels of a tile their colours.
+    pub(super) fn colour(&mut self, tile: Tile, colours: &[[f32; 3]]) {
+        tile.pixels().zip(colours).for_each(|((i, j), &colour)| self.drawing.picture.set(i, j, colour));
     }
 }
 
@@ -173,17 +193,17 @@ impl Report {
     }
 }
 
-fn lock<'a>(canvas: &'a Mutex<Canvas>) -> std::sync::MutexGuard<'a, Canvas> {
+pub(super) fn lock<'a>(canvas: &'a Mutex<Canvas>) -> std::sync::MutexGuard<'a, Canvas> {
     canvas.lock().expect("a thread that panics ends the drawing")
 }
 
 /// What every thread is told.
-struct Job<'a, T> {
-    scene: &'a Scene,
-    settings: &'a Settings,
-    make_tracer: &'a (dyn Fn() -> T + Sync),
-    watch: &'a dyn Watch,
-    canvas: &'a Mutex<Canvas>,
+pub(super) struct Job<'a, T> {
+    pub scene: &'a Scene,
+    pub settings: &'a Settings,
+    pub make_tracer: &'a (dyn Fn() -> T + Sync),
+    pub watch: &'a dyn Watch,
+    pub canvas: &'a Mutex<Canvas>,
     tiles: &'a [Tile],
     total: usize,
 }
@@ -213,110 +233,6 @@ impl<'a, T: Trace> Job<'a, T> {
             _ => work(),
         }
         if self.watch.is_cancelled() { Err(Failure::Cancelled) } else { Ok(()) }
-    }
-}
-
-/// One thread with its tracer and its room.
-struct Worker<'a, T> {
-    scene: &'a Scene,
-    settings: &'a Settings,
-    watch: &'a dyn Watch,
-    canvas: &'a Mutex<Canvas>,
-    tracer: T,
-    rays: Vec<Ray>,
-    heights: Vec<f64>,
-    hits: Vec<Hit>,
-    scratch: Scratch,
-    colours: Vec<[f32; 3]>,
-    trace_seconds: f64,
-    started: f64,
-}
-
-impl<'a, T: Trace> Worker<'a, T> {
-    fn new(job: &Job<'a, T>) -> Self {
-        let started = job.watch.seconds();
-        let tracer = (job.make_tracer)();
-        Worker {
-            scene: job.scene,
-            settings: job.settings,
-            watch: job.watch,
-            canvas: job.canvas,
-            tracer,
-            rays: Vec::new(),
-            heights: Vec::new(),
-            hits: Vec::new(),
-            scratch: Scratch::default(),
-            colours: Vec::new(),
-            trace_seconds: job.watch.seconds() - started,
-            started,
-        }
-    }
-
-    fn leave(self) {
-        let mut canvas = lock(self.canvas);
-        let report = &mut canvas.drawing.report;
-        report.counts.add(&self.tracer.counts());
-        report.trace_seconds += self.trace_seconds;
-        report.shade_seconds += (self.watch.seconds() - self.started - self.trace_seconds).max(0.0);
-    }
-
-    fn draw_centres(&mut self, tile: Tile) {
-        self.look(tile.pixels().map(|(i, j)| (i, j, 0)));
-        lock(self.canvas).keep(tile, &self.hits, &self.colours, self.settings.samples);
-    }
-
-    /// Gives every edge pixel of the tile the mean of several samples.
-    fn smooth_edges(&mut self, tile: Tile, edges: &Layer<bool>) {
-        let pixels: Vec<(u32, u32)> = tile.pixels().filter(|&(i, j)| edges.at(i, j)).collect();
-        if pixels.is_empty() {
-            return;
-        }
-        let all = self.settings.samples;
-        let first = FIRST_SAMPLES.min(all);
-        let mut samples: Vec<Vec<[f32; 3]>> = vec![Vec::new(); pixels.len()];
-        self.add_samples(&pixels, 0..first, &mut samples);
-        let torn: Vec<usize> = (0..pixels.len()).filter(|&k| sampling::is_torn(&samples[k])).collect();
-        if first < all && !torn.is_empty() {
-            let torn_pixels: Vec<(u32, u32)> = torn.iter().map(|&k| pixels[k]).collect();
-            let mut more = vec![Vec::new(); torn.len()];
-            self.add_samples(&torn_pixels, first..all, &mut more);
-            for (k, more) in torn.into_iter().zip(more) {
-                samples[k].extend(more);
-            }
-        }
-        let mut canvas = lock(self.canvas);
-        for (&(i, j), samples) in pixels.iter().zip(&samples) {
-            canvas.drawing.picture.set(i, j, sampling::mean(samples));
-        }
-    }
-
-    /// Takes the samples of these indices in every pixel, a batch of about a tile's rays at a time.
-    fn add_samples(&mut self, pixels: &[(u32, u32)], indices: std::ops::Range<u32>, samples: &mut [Vec<[f32; 3]>]) {
-        let batch = ((TILE * TILE) as usize / indices.len()).max(1);
-        for (pixels, samples) in pixels.chunks(batch).zip(samples.chunks_mut(batch)) {
-            self.look(pixels.iter().flat_map(|&(i, j)| indices.clone().map(move |k| (i, j, k))));
-            for (samples, colours) in samples.iter_mut().zip(self.colours.chunks(indices.len())) {
-                samples.extend_from_slice(colours);
-            }
-        }
-    }
-
-    /// Traces and shades the sample k of pixel (i, j) for all (i, j, k), into `hits` and `colours`.
-    fn look(&mut self, samples: impl Iterator<Item = (u32, u32, u32)>) {
-        let (width, height) = (self.settings.size.width(), self.settings.size.height());
-        self.rays.clear();
-        self.heights.clear();
-        for (i, j, k) in samples {
-            let (across, down) = sampling::offset(k);
-            let down = f64::from(j) + down;
-            self.rays.push(self.scene.camera.ray(width, height, f64::from(i) + across, down));
-            self.heights.push(down / f64::from(height));
-        }
-        let started = self.watch.seconds();
-        self.tracer.trace(&self.rays, &mut self.hits);
-        self.trace_seconds += self.watch.seconds() - started;
-        let seen = Seen { rays: &self.rays, hits: &self.hits, heights: &self.heights };
-        shade(self.settings.mode, self.scene, &mut self.tracer, seen, &mut self.scratch, &mut self.colours);
     }
 }
 

@@ -37,7 +37,7 @@ impl Sides {
     /// and orange inside, in company each has a hue of its own.
     pub fn by_default(index: usize, count: usize) -> Self {
         if count == 1 {
-            return Sides { front: from_bytes(PALETTE[0]), back: from_bytes(PALETTE[1]) };
+            return Sides { front: from_bytes([86, 158, 212]), back: from_bytes([240, 172, 80]) };
         }
         Sides::of(from_bytes(PALETTE[index % PALETTE.len()]))
     }

@@ -23,6 +23,7 @@ pub use colour::Sides;
 pub use framing::Framing;
 pub use view::{Orbit, View};
 
+use crate::surface::Shape;
 use glam::DVec3;
 
 /// All that drawing needs to know besides where the surfaces are.
@@ -32,6 +33,8 @@ pub struct Scene {
     pub camera: Camera,
     /// The colours of each surface, in the surfaces' order.
     pub sides: Vec<Sides>,
+    /// The shapes that cut each surface off, in the surfaces' order.
+    pub clips: Vec<Vec<Shape>>,
     /// The middle of what is seen.
     pub center: DVec3,
     /// How far from there it reaches.

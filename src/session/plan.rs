@@ -250,7 +250,8 @@ fn scene(
     })?;
     let count = objects.len();
     let sides = objects.iter().enumerate().map(|(index, object)| sides(object, index, count, found)).collect();
-    Ok(Scene { camera, sides, center: look_at, radius })
+    let clips = objects.iter().map(|object| object.clip.shapes.clone()).collect();
+    Ok(Scene { camera, sides, clips, center: look_at, radius })
 }
 
 /// The margin around what a clip leaves to be seen.
