@@ -6,14 +6,18 @@
 //!
 //! - `angle`: degrees.
 //! - [`camera`]: the ray of a pixel.
+//! - [`cells`]: boxes that may hold a surface, and how far they reach.
 //! - [`colour`]: sRGB as linear light; the palette.
+//! - [`fit`]: where the eye stands so that what there is to see fills the picture.
 //! - [`framing`]: the ball around what there is to see.
 //! - [`light`]: the lights of a scene without lights.
 //! - [`view`]: what was asked of the camera, and the camera that it means.
 
 pub mod angle;
 pub mod camera;
+pub mod cells;
 pub mod colour;
+pub mod fit;
 pub mod framing;
 pub mod light;
 pub mod view;
