@@ -119,6 +119,7 @@ impl Outlook<'_> {
 
     /// Goes nearer while the picture is empty but for a small part.
     fn come_nearer(&self, mut place: Place) -> Result<Place, CameraError> {
+        let mut has_moved = false;
         for _ in 0..APPROACHES {
             let points = self.glances(&place.camera, FINE_ROWS);
             let slopes = self.view.slopes(self.aspect).map(|slope| slope / LOOSE);
@@ -127,10 +128,15 @@ impl Outlook<'_> {
             let radius = points.iter().map(|p| p.distance(middle)).fold(0.0, f64::max);
             let near = self.fitted(&place, &reach, &points)?;
             let distance = |place: &Place| (middle - place.camera.eye).dot(place.camera.forward);
-            if points.len() < FEWEST || distance(&near) > LOST * distance(&place) {
+            let is_lost = points.len() >= FEWEST && distance(&near) < LOST * distance(&place);
+            // From near, more rays meet it than from far: a last look, and the eye stands where it should.
+            if is_lost || has_moved {
+                place = Place { radius: radius * LOOSE, ..near };
+            }
+            if !is_lost {
                 break;
             }
-            place = Place { radius: radius * LOOSE, ..near };
+            has_moved = true;
         }
         Ok(place)
     }
