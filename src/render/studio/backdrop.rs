@@ -16,7 +16,7 @@ const REACH: f64 = 2.1;
 
 /// How far from its place a pixel's light is taken, in half heights: about the width of the bands that eight bits would
 /// show, so that they dissolve.
-const BLUR: f64 = 0.035;
+const BLUR: f64 = 0.025;
 
 /// The light at a place in half heights to the right and down from the picture's middle, in pixel (i, j).
 pub fn backdrop(place: [f64; 2], (i, j): (u32, u32)) -> DVec3 {
