@@ -12,7 +12,7 @@ const FILLED: f64 = 0.91;
 
 /// How near the eye may come to the middle of what is seen, in radii of the ball around it: nearer, its front looks
 /// too large for its back.
-const NEAREST: f64 = 1.8;
+const NEAREST: f64 = 1.65;
 
 /// Boxes asked about for each edge of the picture, and the share of everything to which they are measured.
 const EDGE_SEARCH: (u32, f64) = (4000, 1.0 / 128.0);

@@ -7,6 +7,7 @@
 mod cli;
 mod closures;
 mod command;
+mod framing;
 mod grammar;
 mod long_texts;
 mod npy;
