@@ -3,8 +3,10 @@
 //! In: an eye with its frame and its pixels. Out: where the rays of a square of pixels are between two depths, as affine
 //! forms of (across, down, along). Separate from [`Ray`] because these know what rays have in common.
 
+use super::bundle::Bundle;
+use super::hit::Ray;
 use super::tile::{FORMS, Forms};
-use crate::num::level::for_each_level;
+use crate::num::level::{Simd, for_each_level};
 use glam::DVec3;
 
 /// The rays through the pixels of a picture: through (i, j) it goes along forward + sx·right + sy·up, with
@@ -67,6 +69,13 @@ impl Default for Places {
 }
 
 impl Screen {
+    /// The rays through the centres of a rectangle's pixels, row by row; what `rays` held is gone.
+    pub fn rays(&self, rectangle: Rectangle, rays: &mut Vec<Ray>) {
+        let mut bundle = Bundle::default();
+        bundle.fill(self, rectangle, Simd::Portable);
+        *rays = bundle.rays;
+    }
+
     /// The width of so many pixels at a depth.
     pub(crate) fn width_at(&self, pixels: u32, depth: f64) -> f64 {
         let width = f64::from(pixels) * self.step[0].abs();

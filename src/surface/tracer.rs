@@ -142,6 +142,11 @@ impl<'a> Tracer<'a> {
         self.bundle = bundle;
     }
 
+    /// The rays of the last rectangle; what `rays` held is used again.
+    pub fn take_rays(&mut self, rays: &mut Vec<Ray>) {
+        std::mem::swap(rays, &mut self.bundle.rays);
+    }
+
     /// The same for rays that start beside a surface, at [`Hit::near`]: nothing is skipped.
     pub fn trace_from_surface(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
         self.run(rays, 0.0, None, hits);
