@@ -7,7 +7,7 @@
 use crate::scene::cells::Classify;
 use crate::scene::fit::{self, Reach};
 use crate::scene::{Camera, CameraError, View};
-use crate::surface::{self, Ray, Shape, Surface, Tracer};
+use crate::surface::{self, Rectangle, Shape, Surface, Tracer};
 use glam::DVec3;
 
 /// Rows of the rays that look around: enough to compare sides by, too few to take time.
@@ -25,6 +25,9 @@ const LOST: f64 = 0.33;
 
 /// The air around what was found by rays, of which the outermost may be missed.
 const LOOSE: f64 = 1.12;
+
+/// Formulas of more operations than this are not looked at: rays through them take longer than a look is worth.
+const MOST_STEPS: usize = 300;
 
 /// The fewest rays that tell where something is.
 const FEWEST: usize = 8;
@@ -157,11 +160,15 @@ impl Outlook<'_> {
 
     /// The points that a coarse picture sees.
     fn glances(&self, camera: &Camera, rows: u32) -> Vec<DVec3> {
+        if self.surfaces.iter().map(Surface::steps).sum::<usize>() > MOST_STEPS {
+            return Vec::new();
+        }
         let columns = (f64::from(rows) * self.aspect).clamp(4.0, f64::from(rows * 4)) as u32;
-        let pixels = (0..rows).flat_map(|j| (0..columns).map(move |i| (f64::from(i) + 0.5, f64::from(j) + 0.5)));
-        let rays: Vec<Ray> = pixels.map(|(across, down)| camera.ray(columns, rows, across, down)).collect();
-        let mut hits = Vec::new();
-        Tracer::new(self.surfaces, surface::Method::Faithful).trace(&rays, &mut hits);
+        let whole = Rectangle { left: 0, top: 0, width: columns, height: rows };
+        let (mut rays, mut hits) = (Vec::new(), Vec::new());
+        let mut tracer = Tracer::new(self.surfaces, surface::Method::Faithful);
+        tracer.trace_rectangle(&camera.screen(columns, rows), whole, &mut hits);
+        tracer.take_rays(&mut rays);
         rays.iter().zip(&hits).filter(|(_, hit)| hit.is_drawn()).map(|(ray, hit)| ray.at(hit.t)).collect()
     }
 }

@@ -40,7 +40,7 @@ const ROUNDED_DOWN: f64 = 1.0 - f64::EPSILON;
 const SHY: f64 = 1.0 - 4.0 * f64::EPSILON;
 
 /// A ray may take this many slabs before it is handed to the careful method, which counts its own.
-const MOST_SLABS: u32 = 400;
+const MOST_SLABS: u32 = 20_000;
 
 /// The part of a ray that is still open.
 #[derive(Clone, Copy, Debug)]

@@ -111,6 +111,11 @@ impl Surface {
         Surface { sheets, written, shapes: clip.shapes.clone(), size: clip.size(), kind, simd }
     }
 
+    /// How many operations it takes to compute its functions at a point.
+    pub fn steps(&self) -> usize {
+        self.sheets.iter().map(|sheet| sheet.value.len()).sum()
+    }
+
     /// The distances between which the ray is inside the clip's shapes; `None` if it never is.
     pub(crate) fn span(&self, ray: &Ray) -> Option<(f64, f64)> {
         region::span(&self.shapes, ray)
