@@ -98,6 +98,29 @@ impl Screen {
     }
 }
 
+/// Puts the points of a rectangle, between two depths in as many slabs as there are, into the registers.
+pub(crate) fn place_slabs(
+    simd: Simd,
+    screen: &Screen,
+    rectangle: Rectangle,
+    (a, end): (f64, f64),
+    forms: &mut [Forms],
+) {
+    let [middle, half] = screen.square(rectangle);
+    let step = (end - a) / FORMS as f64;
+    let mut places = Places::default();
+    for i in 0..FORMS {
+        for axis in 0..2 {
+            places.middle[axis][i] = middle[axis];
+            places.half[axis][i] = half[axis];
+        }
+        places.middle[2][i] = a + (i as f64 + 0.5) * step;
+        // The ends of slabs overlap by more than they are rounded.
+        places.half[2][i] = 0.5 * step + ROUNDED * end;
+    }
+    place_forms(simd, screen, &places, forms);
+}
+
 for_each_level! {
     /// Puts the points of each place into the registers of the coordinates, and the ways along the rays behind them.
     pub(crate) fn place_forms[L](screen: &Screen, places: &Places, forms: &mut [Forms]) {
