@@ -27,8 +27,8 @@ pub(crate) type Forms = AffineLanes<FORMS>;
 /// The first squares, in pixels a side: smaller ones cost more in empty space, larger ones rarely settle anything.
 const LARGEST: u32 = 16;
 
-/// The last squares; what they do not settle goes to single rays.
-const SMALLEST: u32 = 4;
+/// The last squares: one ray, whose form still leans where its interval would not; what they do not settle is left to intervals.
+const SMALLEST: u32 = 1;
 
 /// A sheet that lies so much askew that it is this many half slabs thick is not followed but cut.
 const MOST_GROWTH: f64 = 6.0;
