@@ -10,6 +10,7 @@
 //! - [`simplify`]: the named rules that every new node goes through; none changes where f is defined.
 //! - [`derivative`]: the rule of every operation.
 //! - [`polynomial`]: exact polynomials over nodes as letters; square-free parts.
+//! - [`nest`]: sums of powers by Horner's rule, for enclosures.
 //! - [`equation`]: f = 0 as the sheets whose roots it has.
 //! - [`lower`]: names, functions, parameters, lists and regions become nodes.
 //! - [`mod@print`]: text that reads back as the same graph, and LaTeX.
@@ -22,6 +23,7 @@ mod estimate;
 mod formula;
 pub mod graph;
 pub mod lower;
+pub mod nest;
 pub mod op;
 pub mod polynomial;
 pub mod print;

@@ -12,6 +12,7 @@ use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::{along_ray, gradient};
 use crate::expr::equation::{self, Sign};
 use crate::expr::graph::{Graph, NodeId};
+use crate::expr::nest::nested;
 use crate::num::interval_lanes::IntervalLanes;
 use crate::num::lanes::Lanes;
 use crate::num::level::Simd;
@@ -94,7 +95,10 @@ impl Kernels {
     pub(crate) fn new(graph: &mut Graph, g: NodeId, simd: Simd) -> Self {
         let slope = along_ray(graph, &[g])[0];
         let [x, y, z] = gradient(graph, g);
-        let (value, with_slope) = (Tape::new(graph, &[g]), Tape::new(graph, &[g, slope]));
+        // Enclosures of powers do not know that they cancel; points need not.
+        let nested = nested(graph, g);
+        let nested_slope = along_ray(graph, &[nested])[0];
+        let (value, with_slope) = (Tape::new(graph, &[nested]), Tape::new(graph, &[nested, nested_slope]));
         Kernels {
             value: Kernel::new(&value, simd),
             slope: Kernel::new(&with_slope, simd),
