@@ -93,7 +93,6 @@ pub(crate) struct Kernels {
 impl Kernels {
     /// The kernels of a node; its derivatives are added to the graph.
     pub(crate) fn new(graph: &mut Graph, g: NodeId, simd: Simd) -> Self {
-        let slope = along_ray(graph, &[g])[0];
         let [x, y, z] = gradient(graph, g);
         // Enclosures of powers do not know that they cancel; points need not.
         let nested = nested(graph, g);
