@@ -62,6 +62,11 @@ impl Choices {
         Some(Choices { root: of(root), graph: own, groups, leaves })
     }
 
+    /// How many arguments there are in all.
+    pub fn arguments(&self) -> usize {
+        self.groups.iter().map(|group| group.leaves.len()).sum()
+    }
+
     /// Registers for the forms of all arguments.
     pub fn registers(&self) -> Vec<Slabs> {
         self.leaves.registers()
@@ -70,7 +75,7 @@ impl Choices {
     /// The arguments that matter in the first `count` slabs, whose coordinates are in the registers; `None` if all do.
     pub fn live(&self, registers: &mut [Slabs], count: usize) -> Option<Key> {
         self.leaves.run(registers);
-        let total: usize = self.groups.iter().map(|group| group.leaves.len()).sum();
+        let total = self.arguments();
         let mut key = vec![0u64; total.div_ceil(64)];
         let (mut first, mut kept) = (0, 0);
         for group in &self.groups {

@@ -43,6 +43,19 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
+    /// Squares of this side that it consists of, those at its ends smaller, counted from its corner.
+    pub(crate) fn parts(self, side: u32) -> impl Iterator<Item = Rectangle> {
+        let starts = move |length: u32| (0..length).step_by(side as usize);
+        starts(self.height).flat_map(move |top| {
+            starts(self.width).map(move |left| Rectangle {
+                left,
+                top,
+                width: side.min(self.width - left),
+                height: side.min(self.height - top),
+            })
+        })
+    }
+
     /// The numbers of its pixels in a picture so many pixels wide, row by row.
     pub(crate) fn numbers(self, width: u32) -> impl Iterator<Item = usize> {
         (self.top..self.top + self.height)

@@ -151,13 +151,9 @@ impl Walk {
     ) {
         self.open.clear();
         self.limits = limits;
-        for top in (0..rectangle.height).step_by(LARGEST as usize) {
-            for left in (0..rectangle.width).step_by(LARGEST as usize) {
-                let (width, height) = (LARGEST.min(rectangle.width - left), LARGEST.min(rectangle.height - top));
-                let place = Rectangle { left, top, width, height };
-                if let Some((a, end)) = range(place) {
-                    self.open.push(Square { place, size: LARGEST, a, b: end, end, fresh: true, ..Square::default() });
-                }
+        for place in rectangle.parts(LARGEST) {
+            if let Some((a, end)) = range(place) {
+                self.open.push(Square { place, size: LARGEST, a, b: end, end, fresh: true, ..Square::default() });
             }
         }
         while !self.open.is_empty() || !self.crossed.is_empty() {

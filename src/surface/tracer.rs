@@ -192,10 +192,28 @@ impl<'a> Tracer<'a> {
 
     /// The same for the rays through the centres of a rectangle's pixels, row by row: many at once, where that can be.
     pub fn trace_rectangle(&mut self, screen: &Screen, rectangle: Rectangle, hits: &mut Vec<Hit>) {
-        let mut bundle = std::mem::take(&mut self.bundle);
         let simd = self.surfaces.first().map_or(Simd::Portable, |surface| surface.simd);
-        bundle.fill(screen, rectangle, simd);
-        self.run(&bundle.rays, SKIPPED, Some(View { screen, rectangle, bundle: &bundle }), hits);
+        let mut bundle = std::mem::take(&mut self.bundle);
+        let side = self.surfaces.iter().map(side).min().unwrap_or(u32::MAX);
+        if rectangle.width > side || rectangle.height > side {
+            let mut part = Vec::new();
+            hits.clear();
+            hits.resize(rectangle.width as usize * rectangle.height as usize, Hit::NONE);
+            for place in rectangle.parts(side) {
+                let (left, top) = (rectangle.left + place.left, rectangle.top + place.top);
+                let rectangle_part = Rectangle { left, top, ..place };
+                bundle.fill(screen, rectangle_part, simd);
+                let view = View { screen, rectangle: rectangle_part, bundle: &bundle };
+                self.run(&bundle.rays, SKIPPED, Some(view), &mut part);
+                for (i, hit) in place.numbers(rectangle.width).zip(&part) {
+                    hits[i] = *hit;
+                }
+            }
+            bundle.fill(screen, rectangle, simd);
+        } else {
+            bundle.fill(screen, rectangle, simd);
+            self.run(&bundle.rays, SKIPPED, Some(View { screen, rectangle, bundle: &bundle }), hits);
+        }
         self.bundle = bundle;
     }
 
@@ -439,6 +457,16 @@ impl<'a> Tracer<'a> {
                 job.turn(ray, DVec3::new(x, y, z));
             }
         }
+    }
+}
+
+/// The side of the rectangles in which a surface is made anew: the more there is to leave out, the smaller.
+fn side(surface: &Surface) -> u32 {
+    let arguments = surface.sheets.iter().filter_map(|sheet| sheet.choices.as_ref()).map(Choices::arguments).max();
+    match arguments.unwrap_or(0) {
+        0..64 => u32::MAX,
+        64..256 => 32,
+        256.. => 16,
     }
 }
 
