@@ -7,8 +7,18 @@
 pub enum Scale {
     /// Equal factors.
     Logarithmic,
-    /// Equal differences, from 0.
+    /// Equal differences.
     Linear,
+}
+
+impl Scale {
+    /// 0 at `least`, 1 at `most`.
+    fn part(self, value: f64, least: f64, most: f64) -> f64 {
+        match self {
+            Scale::Logarithmic => (value / least).ln() / (most / least).ln(),
+            Scale::Linear => (value - least) / (most - least),
+        }
+    }
 }
 
 /// A line and its name.
@@ -21,13 +31,15 @@ pub struct Chart<'a> {
     pub title: &'a str,
     pub across: &'a str,
     pub up: &'a str,
-    pub scale: Scale,
+    pub scale_across: Scale,
+    /// From 0 where linear.
+    pub scale_up: Scale,
     pub series: Vec<Series>,
 }
 
 /// The picture and the field inside it, in pixels.
 const SIZE: (f64, f64) = (640.0, 360.0);
-const FIELD: (f64, f64, f64, f64) = (60.0, 40.0, 470.0, 310.0);
+const FIELD: (f64, f64, f64, f64) = (60.0, 56.0, 470.0, 310.0);
 
 /// The least distance of two names at the right edge.
 const LINE: f64 = 16.0;
@@ -44,13 +56,13 @@ impl Chart<'_> {
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n\
              <style>{STYLE}</style>\n<text class=\"t\" x=\"{left}\" y=\"20\">{2}</text>\n\
-             <text class=\"m\" x=\"{3}\" y=\"350\">{4}</text>\n<text x=\"8\" y=\"{5}\">{6}</text>\n",
+             <text class=\"m\" x=\"{3}\" y=\"350\">{4}</text>\n<text x=\"{left}\" y=\"{5}\">{6}</text>\n",
             SIZE.0,
             SIZE.1,
             self.title,
             (left + right) / 2.0,
             self.across,
-            top - 6.0,
+            top - 16.0,
             self.up,
         );
         for value in self.ticks_up() {
@@ -107,16 +119,12 @@ impl Chart<'_> {
     fn x(&self, value: f64) -> f64 {
         let least = self.points().map(|p| p.0).fold(f64::INFINITY, f64::min);
         let most = self.points().map(|p| p.0).fold(0.0, f64::max);
-        FIELD.0 + 14.0 + (FIELD.2 - FIELD.0 - 28.0) * (value / least).ln() / (most / least).ln()
+        FIELD.0 + 14.0 + (FIELD.2 - FIELD.0 - 28.0) * self.scale_across.part(value, least, most)
     }
 
     fn y(&self, value: f64) -> f64 {
         let (least, most) = self.bounds_up();
-        let part = match self.scale {
-            Scale::Logarithmic => (value / least).ln() / (most / least).ln(),
-            Scale::Linear => value / most,
-        };
-        FIELD.3 - (FIELD.3 - FIELD.1) * part
+        FIELD.3 - (FIELD.3 - FIELD.1) * self.scale_up.part(value, least, most)
     }
 
     /// The values at the lower and upper edge: powers of ten, their doubles and fivefolds.
@@ -125,12 +133,12 @@ impl Chart<'_> {
         let most = self.points().map(|p| p.1).fold(0.0, f64::max);
         let below = steps().filter(|&step| step <= least).fold(f64::NAN, f64::max);
         let above = steps().filter(|&step| step >= most).fold(f64::NAN, f64::min);
-        (below, above)
+        (if self.scale_up == Scale::Linear { 0.0 } else { below }, above)
     }
 
     fn ticks_up(&self) -> Vec<f64> {
         let (least, most) = self.bounds_up();
-        match self.scale {
+        match self.scale_up {
             Scale::Logarithmic => steps().filter(|step| (least..=most).contains(step)).collect(),
             Scale::Linear => (0..=4).map(|k| most * f64::from(k) / 4.0).collect(),
         }

@@ -19,7 +19,9 @@ mod picture;
 mod povray;
 mod process;
 mod program;
+mod random;
 mod scenes;
+mod secondary;
 mod surf;
 mod table;
 mod threads;
@@ -29,7 +31,10 @@ use scenes::Scene;
 use std::error::Error;
 use table::{Bench, Folder};
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// What can fail: a file, a program that is not there.
+type Outcome<T = ()> = Result<T, Box<dyn Error>>;
+
+fn main() -> Outcome {
     let mut words: Vec<String> = std::env::args().skip(1).collect();
     let mut rounds = 3;
     if let Some(at) = words.iter().position(|word| word == "--rounds") {
@@ -63,6 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", table::visibility(&bench, &chosen)?);
     println!("Whole processes with the picture at 512 x 512, one thread, user time\n");
     println!("{}", table::processes(&bench, &chosen)?);
+    println!("Diffuse bounces, one thread, processor time\n\n{}", secondary::table(&bench, &chosen));
     println!("Closures against the formula compiled by rustc\n\n{}", native_cost::table());
     Ok(())
 }

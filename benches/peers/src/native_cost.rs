@@ -6,6 +6,7 @@
 use crate::clock::{median, timed};
 use crate::closures::{Closures, POINTS};
 use crate::native::{self, CASES, Case};
+use crate::table::mark;
 use std::hint::black_box;
 use std::sync::OnceLock;
 
@@ -70,7 +71,13 @@ pub fn table() -> String {
     );
     for (case, cost) in CASES.iter().zip(costs()) {
         let ratio = cost.closures / cost.native;
-        let numbers = format!("{:.2} | {:.2} | {ratio:.1} | ≤ {:.0}", cost.closures, cost.native, case.goal);
+        let numbers = format!(
+            "{:.2} | {:.2} | {} | ≤ {:.0}",
+            cost.closures,
+            cost.native,
+            mark(format!("{ratio:.1}"), ratio <= case.goal),
+            case.goal
+        );
         text += &format!("| {} | {numbers} |\n", case.name);
     }
     text

@@ -3,13 +3,13 @@
 //! In: a scene. Out: what one picture took, and its pixels. Its `max_gradient` is the largest gradient in the whole
 //! clip: with less it leaves out parts of the surface, with its default most of it.
 
+use crate::Outcome;
 use crate::closures::largest_gradient;
 use crate::formula::{Algebra, translate};
 use crate::picture;
 use crate::process::{Usage, run};
 use crate::scenes::{Clip, FIELD_OF_VIEW, Scene};
 use glam::DVec3;
-use std::error::Error;
 use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
@@ -25,7 +25,7 @@ pub fn is_installed() -> bool {
 }
 
 /// Writes the scene for [`draw`]; without an object it is empty.
-pub fn prepare(scene: &Scene, has_object: bool, folder: &Path) -> Result<(), Box<dyn Error>> {
+pub fn prepare(scene: &Scene, has_object: bool, folder: &Path) -> Outcome {
     let object = if has_object { object(scene).ok_or("not a formula in POV-Ray's notation")? } else { String::new() };
     let (camera, width) = (scene.camera(), 2.0 * (FIELD_OF_VIEW / 2.0).to_radians().tan());
     let light = camera.right * 0.4 + camera.up * 0.5 - camera.forward;
@@ -43,7 +43,7 @@ pub fn prepare(scene: &Scene, has_object: bool, folder: &Path) -> Result<(), Box
 }
 
 /// One picture: what it took, and which pixels it hit; no pixels where it was stopped.
-pub fn draw(size: u32, folder: &Path) -> Result<(Usage, Option<Vec<bool>>), Box<dyn Error>> {
+pub fn draw(size: u32, folder: &Path) -> Outcome<(Usage, Option<Vec<bool>>)> {
     let pixmap = folder.join("povray.ppm");
     let mut command = Command::new("povray");
     command.current_dir(folder).args(["+Iscene.pov", "+Opovray.ppm", "+FP8", "+WT1", "-D", "-A", "-GR", "-GS", "-V"]);

@@ -2,9 +2,9 @@
 //!
 //! In: a command. Out: what it took. One child at a time: the times are those of all children that have ended.
 
+use crate::Outcome;
 use nix::sys::resource::{UsageWho, getrusage};
 use nix::sys::time::TimeValLike;
-use std::error::Error;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -23,7 +23,7 @@ pub struct Usage {
 }
 
 /// Runs the command to its end, or stops it after `limit` of wall time.
-pub fn run(command: &mut Command, limit: Duration) -> Result<Usage, Box<dyn Error>> {
+pub fn run(command: &mut Command, limit: Duration) -> Outcome<Usage> {
     let before = user_seconds()?;
     let start = Instant::now();
     let mut child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn()?;
@@ -44,7 +44,7 @@ pub fn run(command: &mut Command, limit: Duration) -> Result<Usage, Box<dyn Erro
 }
 
 /// User time of all children that have ended.
-fn user_seconds() -> Result<f64, Box<dyn Error>> {
+fn user_seconds() -> Outcome<f64> {
     Ok(getrusage(UsageWho::RUSAGE_CHILDREN)?.user_time().num_microseconds() as f64 * 1e-6)
 }
 

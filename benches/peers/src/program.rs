@@ -2,10 +2,10 @@
 //!
 //! In: a formula, a clip, a camera. Out: the command that draws it, and what the drawing took.
 
+use crate::Outcome;
 use crate::process::{Usage, run};
 use crate::scenes::{Clip, FIELD_OF_VIEW};
 use glam::DVec3;
-use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -14,18 +14,18 @@ use std::time::Duration;
 const LIMIT: Duration = Duration::from_secs(600);
 
 /// Builds the program and finds it.
-pub fn build() -> Result<PathBuf, Box<dyn Error>> {
+pub fn build() -> Outcome<PathBuf> {
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/../../Cargo.toml");
     let words = ["build", "--release", "--locked", "--bin", "implicit", "--message-format", "json"];
     let cargo = std::env::var("CARGO").unwrap_or("cargo".into());
     let output =
         Command::new(cargo).args(words).args(["--manifest-path", manifest]).stderr(Stdio::inherit()).output()?;
     let messages = String::from_utf8(output.stdout)?;
-    let executable = messages.lines().filter_map(|line| {
+    let mut executables = messages.lines().filter_map(|line| {
         let message: serde_json::Value = serde_json::from_str(line).ok()?;
         message["executable"].as_str().map(PathBuf::from)
     });
-    executable.last().ok_or("cargo has not built the program".into())
+    executables.next_back().ok_or("cargo has not built the program".into())
 }
 
 /// What is drawn, and how.
@@ -57,13 +57,13 @@ pub fn command(program: &Path, task: Task, picture: &Path) -> Command {
 }
 
 /// Draws it and throws the picture away.
-pub fn draw(program: &Path, task: Task, folder: &Path) -> Result<Usage, Box<dyn Error>> {
+pub fn draw(program: &Path, task: Task, folder: &Path) -> Outcome<Usage> {
     let usage = run(&mut command(program, task, &folder.join("ours.png")), LIMIT)?;
     if usage.is_done { Ok(usage) } else { Err(format!("implicit did not draw {}", task.formula).into()) }
 }
 
 /// Wall and processor seconds of the trace stage.
-pub fn trace_stage(program: &Path, task: Task, folder: &Path) -> Result<(f64, f64), Box<dyn Error>> {
+pub fn trace_stage(program: &Path, task: Task, folder: &Path) -> Outcome<(f64, f64)> {
     let file = folder.join("stats.json");
     let mut command = command(program, task, &folder.join("ours.png"));
     run(command.arg("--stats-json").arg(&file), LIMIT)?;

@@ -2,10 +2,10 @@
 //!
 //! In: that file. Out: formulas, clips and cameras. Separate because every peer needs the same ones.
 
+use crate::Outcome;
 use glam::DVec3;
 use implicit::scene::camera::{Camera, Projection};
 use implicit::surface::Shape;
-use std::error::Error;
 
 /// Vertical field of view of every scene, degrees: the file's default.
 pub const FIELD_OF_VIEW: f64 = 40.0;
@@ -77,7 +77,7 @@ pub fn camera(eye: DVec3) -> Camera {
 }
 
 /// All scenes of the file.
-pub fn load() -> Result<Vec<Scene>, Box<dyn Error>> {
+pub fn load() -> Outcome<Vec<Scene>> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/scenes.toml");
     let table: toml::Table = std::fs::read_to_string(path)?.parse()?;
     let list = table.get("scene").and_then(toml::Value::as_array).ok_or("the file has no scenes")?;

@@ -3,12 +3,12 @@
 //! In: a polynomial scene. Out: what one picture took, and its pixels. surf looks along its own z axis at the plane
 //! z = 0, ±10 wide, and cuts by a ball: the polynomial is turned and scaled into that frame.
 
+use crate::Outcome;
 use crate::formula::{Algebra, translate};
 use crate::picture;
 use crate::process::{Usage, run};
 use crate::scenes::{FIELD_OF_VIEW, Scene};
 use glam::DVec3;
-use std::error::Error;
 use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
@@ -29,7 +29,7 @@ pub fn program() -> Option<&'static str> {
 }
 
 /// One picture: what it took, and which pixels it hit.
-pub fn draw(program: &str, scene: &Scene, size: u32, folder: &Path) -> Result<(Usage, Vec<bool>), Box<dyn Error>> {
+pub fn draw(program: &str, scene: &Scene, size: u32, folder: &Path) -> Outcome<(Usage, Vec<bool>)> {
     let (script, pixmap) = (folder.join("scene.pic"), folder.join("surf.ppm"));
     std::fs::write(&script, text(scene, size, &pixmap).ok_or("not a polynomial in surf's notation")?)?;
     let usage = run(Command::new(program).arg("-q").arg(&script), LIMIT)?;

@@ -3,13 +3,13 @@
 //! In: scenes, and the peers that are installed. Out: the tables, in Markdown. Everything of a scene runs in turn,
 //! round after round, so that what else the machine does falls on all alike; medians count.
 
+use crate::Outcome;
 use crate::clock::median;
 use crate::ours::{self, Run};
 use crate::process::Usage;
 use crate::scenes::{Clip, Scene};
 use crate::voxels::{Engine, Voxels};
 use crate::{agreement, native_cost, povray, program, surf};
-use std::error::Error;
 use std::path::{Path, PathBuf};
 
 /// Pixels across of the pictures in this process, and of those of whole processes.
@@ -37,10 +37,24 @@ struct Peer {
     right: f64,
 }
 
+/// How many times faster the tracer is to be than the better engine of fidget, and than surf's whole process.
+const FIDGET_GOAL: f64 = 10.0;
+const SURF_GOAL: f64 = 8.0;
+
+/// The goal beside fidget for the many objects of csg27.
+const OBJECTS_GOAL: f64 = 3.0;
+
+/// How many evaluations of f with gradient a hit may take.
+const EVALUATIONS_GOAL: f64 = 2.1;
+
+/// How many times less user time the program is to take than surf, and than POV-Ray.
+const SURF_PROCESS_GOAL: f64 = 4.0;
+const POVRAY_GOAL: f64 = 20.0;
+
 /// A column that is not there.
 const NONE: &str = "–";
 
-fn cell(value: Option<f64>, show: impl Fn(f64) -> String) -> String {
+fn cell<T>(value: Option<T>, show: impl FnOnce(T) -> String) -> String {
     value.map_or(NONE.into(), show)
 }
 
@@ -48,12 +62,22 @@ fn ratio(value: f64) -> String {
     if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
 }
 
+/// Bold where a goal is missed.
+pub fn mark(text: String, is_met: bool) -> String {
+    if is_met { text } else { format!("**{text}**") }
+}
+
+/// A ratio that is to be `goal` or more.
+fn speedup(value: f64, goal: f64) -> String {
+    mark(ratio(value), value >= goal)
+}
+
 fn percent(share: f64) -> String {
     format!("{:.2} %", 100.0 * share)
 }
 
 /// The table of primary visibility and normals.
-pub fn visibility(bench: &Bench, scenes: &[&Scene]) -> Result<String, Box<dyn Error>> {
+pub fn visibility(bench: &Bench, scenes: &[&Scene]) -> Outcome<String> {
     let mut text = String::from(
         "| scene | ns/pixel | ns/hit | f,g/hit | enclosures/pixel | proven | × native | fidget JIT, ns/pixel | fidget VM, \
          ns/pixel | fidget right | × fidget | surf, ns/pixel | × surf |\n\
@@ -66,7 +90,7 @@ pub fn visibility(bench: &Bench, scenes: &[&Scene]) -> Result<String, Box<dyn Er
     Ok(text)
 }
 
-fn visibility_row(bench: &Bench, scene: &Scene) -> Result<String, Box<dyn Error>> {
+fn visibility_row(bench: &Bench, scene: &Scene) -> Outcome<String> {
     let (surfaces, camera, voxels) = (ours::surfaces(&scene.formula, scene.clip), scene.camera(), Voxels::new(scene));
     let surf = bench.surf.filter(|_| scene.degree > 0);
     let (mut runs, mut process) = (Vec::new(), Vec::new());
@@ -98,23 +122,28 @@ fn is_quick(times: &[f64]) -> bool {
 }
 
 fn visibility_line(scene: &Scene, run: Run, peer: Option<&Peer>, surf: Option<f64>) -> String {
+    let fidget_goal = if scene.name == "csg27" { OBJECTS_GOAL } else { FIDGET_GOAL };
     let (pixels, hits) = (run.pixels as f64, run.hits as f64);
     let per_pixel = |seconds: f64| format!("{:.0}", seconds * 1e9 / pixels);
+    let evaluations = run.counts.gradients as f64 / hits;
     let per_hit = run.seconds * 1e9 / hits;
     format!(
-        "| {} | {} | {per_hit:.0} | {:.2} | {:.1} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+        "| {} | {} | {per_hit:.0} | {} | {:.1} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
         scene.name,
         per_pixel(run.seconds),
-        run.counts.gradients as f64 / hits,
+        mark(format!("{evaluations:.2}"), evaluations <= EVALUATIONS_GOAL),
         run.counts.cells as f64 / pixels,
         percent(run.proven as f64 / pixels),
         cell(native_cost::of_scene(&scene.name), |native| ratio(per_hit / native)),
         cell(peer.map(|peer| peer.seconds[0]), per_pixel),
         cell(peer.map(|peer| peer.seconds[1]), per_pixel),
         cell(peer.map(|peer| peer.right), verdict),
-        cell(peer.map(|peer| peer.seconds[0].min(peer.seconds[1]) / run.seconds), ratio),
+        cell(peer, |peer| {
+            let value = peer.seconds[0].min(peer.seconds[1]) / run.seconds;
+            mark(ratio(value), value >= fidget_goal || peer.right < agreement::RIGHT)
+        }),
         cell(surf, per_pixel),
-        cell(surf.map(|surf| surf / run.seconds), ratio),
+        cell(surf.map(|surf| surf / run.seconds), |value| speedup(value, SURF_GOAL)),
     )
 }
 
@@ -123,7 +152,7 @@ fn verdict(share: f64) -> String {
 }
 
 /// The table of whole processes.
-pub fn processes(bench: &Bench, scenes: &[&Scene]) -> Result<String, Box<dyn Error>> {
+pub fn processes(bench: &Bench, scenes: &[&Scene]) -> Outcome<String> {
     let mut text = String::from(
         "| scene | implicit, s | surf, s | surf right | × surf | implicit, s | POV-Ray, s | POV-Ray right | × POV-Ray |\n\
          | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
@@ -140,13 +169,13 @@ pub fn processes(bench: &Bench, scenes: &[&Scene]) -> Result<String, Box<dyn Err
     Ok(text)
 }
 
-fn ours(bench: &Bench, scene: &Scene, clip: Clip) -> Result<Usage, Box<dyn Error>> {
+fn ours(bench: &Bench, scene: &Scene, clip: Clip) -> Outcome<Usage> {
     let task = program::Task { formula: &scene.formula, clip, eye: scene.eye, size: PROCESS_SIZE, threads: 1 };
     program::draw(&bench.program, task, &bench.folder)
 }
 
 /// Both cut by the ball around the clip: surf knows no box that is turned.
-fn surf_cells(bench: &Bench, surf: &str, scene: &Scene) -> Result<String, Box<dyn Error>> {
+fn surf_cells(bench: &Bench, surf: &str, scene: &Scene) -> Outcome<String> {
     let ball = Clip::Ball(scene.clip.radius());
     let (mut own, mut other, mut hits) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..bench.rounds.max(5) {
@@ -157,10 +186,10 @@ fn surf_cells(bench: &Bench, surf: &str, scene: &Scene) -> Result<String, Box<dy
     }
     let right = mask_share(scene, ball, PROCESS_SIZE, &hits);
     let (own, other) = (median(&own), median(&other));
-    Ok(format!("{own:.3} | {other:.2} | {} | {}", verdict(right), ratio(other / own)))
+    Ok(format!("{own:.3} | {other:.3} | {} | {}", verdict(right), speedup(other / own, SURF_PROCESS_GOAL)))
 }
 
-fn povray_cells(bench: &Bench, scene: &Scene) -> Result<String, Box<dyn Error>> {
+fn povray_cells(bench: &Bench, scene: &Scene) -> Outcome<String> {
     povray::prepare(scene, false, &bench.folder)?;
     let empty = povray::draw(SMALL_SIZE, &bench.folder)?.0.user;
     povray::prepare(scene, true, &bench.folder)?;
@@ -173,9 +202,9 @@ fn povray_cells(bench: &Bench, scene: &Scene) -> Result<String, Box<dyn Error>> 
             own.push(ours(bench, scene, scene.clip)?.user);
         }
         let own = median(&own);
-        let mark = if hits.is_some() { "~" } else { ">" };
+        let sign = if hits.is_some() { "~" } else { ">" };
         let right = cell(hits.map(|hits| mask_share(scene, scene.clip, SMALL_SIZE, &hits)), verdict);
-        return Ok(format!("{own:.3} | {mark} {whole:.1} | {right} | {mark} {}", ratio(whole / own)));
+        return Ok(format!("{own:.3} | {sign} {whole:.1} | {right} | {sign} {}", speedup(whole / own, POVRAY_GOAL)));
     }
     let mut other = Vec::new();
     for _ in 0..bench.rounds {
@@ -186,7 +215,7 @@ fn povray_cells(bench: &Bench, scene: &Scene) -> Result<String, Box<dyn Error>> 
     }
     let (own, other) = (median(&own), median(&other));
     let right = cell(hits.map(|hits| mask_share(scene, scene.clip, PROCESS_SIZE, &hits)), verdict);
-    Ok(format!("{own:.3} | {other:.2} | {right} | {}", ratio(other / own)))
+    Ok(format!("{own:.3} | {other:.2} | {right} | {}", speedup(other / own, POVRAY_GOAL)))
 }
 
 /// The share of pixels that hit as ours do.
@@ -199,7 +228,7 @@ fn mask_share(scene: &Scene, clip: Clip, size: u32, hits: &[bool]) -> f64 {
 pub struct Folder(pub PathBuf);
 
 impl Folder {
-    pub fn new() -> Result<Self, Box<dyn Error>> {
+    pub fn new() -> Outcome<Self> {
         let path = std::env::temp_dir().join(format!("implicit-peers-{}", std::process::id()));
         std::fs::create_dir_all(&path)?;
         Ok(Folder(path))
