@@ -116,7 +116,7 @@ fn gaussians(count: usize) -> Picture {
     Picture { across: count as f64, formula, clip: AROUND, eye: EYE, size: 256 }
 }
 
-/// Chmutov's surface of that degree (Arnold, Gusein-Zade, Varchenko: Singularities of Differentiable Maps II, p. 419).
+/// Of the kind of Chmutov, Examples of projective surfaces with many singularities, J. Algebraic Geometry 1 (1992), 191–196.
 fn chmutov(degree: u32, eye: DVec3) -> Picture {
     let terms = ["x", "y", "z"].map(|axis| format!("chebyshev({degree}, {axis})"));
     let formula = format!("{} + 1", terms.join(" + "));

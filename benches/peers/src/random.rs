@@ -1,6 +1,6 @@
 //! Numbers that look random and are the same in every run.
 //!
-//! SplitMix64: Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014, figure 17.
+//! SplitMix64: Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014.
 
 /// The stream.
 #[derive(Default)]
