@@ -5,11 +5,13 @@
 //! line, so that a library or a server lives the same life: nothing here prints, reads a file or a clock.
 //!
 //! - [`mod@include`]: programs that include others.
+//! - `outlook`: where the eye goes when nobody said.
 //! - [`program`]: texts to formulas.
 //! - [`plan`]: formulas to surfaces, a camera and settings.
 //! - [`mod@recipe`]: the program that draws a picture again.
 
 pub mod include;
+mod outlook;
 pub mod plan;
 pub mod program;
 pub mod recipe;

@@ -9,6 +9,7 @@
 //! - [`constant`]: subexpressions without variables, computed once.
 //! - [`tree`]: the formula as a tree of closures of one point, as a first course writes it: the reference.
 //! - [`pieces`]: one enclosure at a time, with jumps and poles taken apart.
+//! - [`specialise`]: which arguments of minima and maxima matter in a part of space.
 //! - [`formula`]: one formula with its value, gradient and enclosure, for whoever wants a single number.
 
 mod constant;
@@ -16,6 +17,7 @@ pub mod formula;
 mod fuse;
 pub mod kernel;
 pub mod pieces;
+pub mod specialise;
 pub mod tape;
 pub mod tree;
 

@@ -56,23 +56,27 @@ impl Level for Fused {
 impl Simd {
     /// The fastest level this machine has.
     pub fn best() -> Self {
-        Self::all().last().copied().unwrap_or_default()
+        #[cfg(target_arch = "x86_64")]
+        {
+            use std::arch::is_x86_feature_detected as has;
+            let fused = has!("avx2") && has!("fma");
+            if fused && has!("avx512f") && has!("avx512bw") && has!("avx512dq") && has!("avx512vl") {
+                return Simd::Wide(Checked(()));
+            }
+            if fused {
+                return Simd::Fused(Checked(()));
+            }
+        }
+        Simd::Portable
     }
 
     /// The levels that this machine has, slowest first.
     pub fn all() -> Vec<Simd> {
-        let mut levels = vec![Simd::Portable];
-        #[cfg(target_arch = "x86_64")]
-        {
-            use std::arch::is_x86_feature_detected as has;
-            if has!("avx2") && has!("fma") {
-                levels.push(Simd::Fused(Checked(())));
-                if has!("avx512f") && has!("avx512bw") && has!("avx512dq") && has!("avx512vl") {
-                    levels.push(Simd::Wide(Checked(())));
-                }
-            }
+        match Simd::best() {
+            Simd::Portable => vec![Simd::Portable],
+            Simd::Fused(checked) => vec![Simd::Portable, Simd::Fused(checked)],
+            Simd::Wide(checked) => vec![Simd::Portable, Simd::Fused(checked), Simd::Wide(checked)],
         }
-        levels
     }
 }
 

@@ -4,7 +4,8 @@
 
 use super::knowledge::{Knowledge, edges};
 use super::sampling;
-use super::settings::Settings;
+use super::settings::{Mode, Settings};
+use super::studio::glimpse::Remembered;
 use super::tiles::{Drawing, Pass, Report, Tile};
 use crate::film::{Layer, Size};
 use crate::surface::{Counts, Hit};
@@ -15,6 +16,8 @@ pub struct Canvas {
     /// The drawing so far.
     pub drawing: Drawing,
     known: Layer<Knowledge>,
+    /// What mode `studio` keeps for neighbours.
+    pub memory: Option<Layer<Remembered>>,
     /// The colours of the squares that the last pass left, while the next draws over them.
     squares: Option<Layer<[f32; 3]>>,
     /// By tile, the pixels that get more samples.
@@ -48,15 +51,15 @@ impl Canvas {
                 pass: Pass::Last,
             },
             known: Layer::filled(known_size, Knowledge::MISS),
+            memory: (settings.mode == Mode::Studio).then(|| Layer::filled(size, Remembered::NONE)),
             squares: None,
             edges: Vec::new(),
         }
     }
 
     /// Keeps what the rays through the centres of a tile's pixels know.
-    pub fn keep(&mut self, tile: Tile, hits: &[Hit], colours: &[[f32; 3]], samples: u32) {
-        for (((i, j), hit), &colour) in tile.pixels().zip(hits).zip(colours) {
-            self.drawing.picture.set(i, j, colour);
+    pub fn keep(&mut self, tile: Tile, hits: &[Hit], samples: u32) {
+        for ((i, j), hit) in tile.pixels().zip(hits) {
             if let Some(depth) = &mut self.drawing.depth {
                 depth.set(i, j, hit.t as f32);
             }
@@ -68,6 +71,18 @@ impl Canvas {
             }
             self.drawing.report.count(hit);
         }
+    }
+
+    /// Keeps what neighbours want to know of the tile's pixels.
+    pub fn keep_memory(&mut self, tile: Tile, remembered: impl Iterator<Item = Remembered>) {
+        if let Some(memory) = &mut self.memory {
+            tile.pixels().zip(remembered).for_each(|((i, j), kept)| memory.set(i, j, kept));
+        }
+    }
+
+    /// Gives the pixels of a tile their colours.
+    pub fn colour(&mut self, tile: Tile, colours: &[[f32; 3]]) {
+        tile.pixels().zip(colours).for_each(|((i, j), &colour)| self.drawing.picture.set(i, j, colour));
     }
 
     /// Fills squares with their colours.

@@ -3,50 +3,17 @@
 //! In: rays, what they hit, the scene. Out: a colour a ray. One file a mode; here is what they share.
 
 use super::settings::Mode;
-use super::trace::Trace;
-use super::{cosine, data, mirror, studio};
+use super::{cosine, data, mirror};
 use crate::scene::Scene;
 use crate::surface::{Hit, Ray};
 use glam::DVec3;
 
-/// Rays, what they hit, and how far down the picture each is, of 0..1.
-#[derive(Clone, Copy, Debug)]
-pub struct Seen<'a> {
-    /// The rays from the eye.
-    pub rays: &'a [Ray],
-    /// What each hit.
-    pub hits: &'a [Hit],
-    /// Where each is between the picture's upper edge (0) and its lower (1).
-    pub heights: &'a [f64],
-}
-
-/// Room for the rays that a mode sends on.
-#[derive(Debug, Default)]
-pub struct Scratch {
-    /// Rays from hits.
-    pub rays: Vec<Ray>,
-    /// What they hit.
-    pub hits: Vec<Hit>,
-    /// Which of the seen rays each belongs to.
-    pub owners: Vec<u32>,
-}
-
-/// The colour of every ray, in `colours`, which is emptied first.
-pub fn shade<T: Trace>(
-    mode: Mode,
-    scene: &Scene,
-    tracer: &mut T,
-    seen: Seen,
-    scratch: &mut Scratch,
-    colours: &mut Vec<[f32; 3]>,
-) {
+/// The colour of every ray, in `colours`, which is emptied first; none in mode `studio`, which looks at neighbours too.
+pub fn shade(mode: Mode, scene: &Scene, rays: &[Ray], hits: &[Hit], colours: &mut Vec<[f32; 3]>) {
     colours.clear();
-    let rays = seen.rays.iter().zip(seen.hits);
+    let rays = rays.iter().zip(hits);
     match mode {
-        Mode::Studio => {
-            studio::send_shadow_rays(scene, tracer, seen, scratch);
-            studio::shade(scene, seen, scratch, colours);
-        }
+        Mode::Studio => {}
         Mode::Cosine => colours.extend(rays.map(|(ray, hit)| cosine::colour(scene, ray, hit))),
         Mode::Mirror => colours.extend(rays.map(|(ray, hit)| mirror::colour(scene, ray, hit))),
         Mode::Normal => colours.extend(rays.map(|(_, hit)| data::normal(hit))),

@@ -7,19 +7,19 @@
 
 use super::canvas::{Canvas, lock};
 use super::sampling::FIRST_SAMPLES;
-use super::settings::{Passes, Settings};
+use super::settings::{Mode, Passes, Settings};
 use super::trace::Trace;
 use super::watch::Watch;
 use super::worker::Worker;
 use crate::film::{Layer, Size};
 use crate::scene::Scene;
-use crate::surface::{Counts, Hit, Outcome};
+use crate::surface::{Counts, Hit, Outcome, Rectangle};
 use std::fmt;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// The side of a tile in pixels: 1024 rays fill the tracer's lanes and still fit the nearest caches.
-const TILE: u32 = 32;
+/// The side of a tile in pixels: as many rays as fill the tracer's lanes with squares of them and still fit a core's caches.
+const TILE: u32 = 64;
 
 /// The stack of a drawing thread in bytes: as large as a main thread's usually is.
 const STACK: usize = 8 << 20;
@@ -150,6 +150,11 @@ impl Tile {
         })
     }
 
+    /// Its pixels as the tracer is told them.
+    pub fn rectangle(self) -> Rectangle {
+        Rectangle { left: self.left, top: self.top, width: self.width, height: self.height }
+    }
+
     /// The pixel in its middle.
     pub fn middle(self) -> (u32, u32) {
         (self.left + self.width / 2, self.top + self.height / 2)
@@ -194,7 +199,8 @@ fn sample_passes(settings: &Settings) -> Vec<Vec<u32>> {
 /// How many tiles all passes have together.
 fn pieces(settings: &Settings) -> usize {
     let squares = coarse(settings).iter().map(|&square| tiles(settings.size, square).len()).sum::<usize>();
-    squares + tiles(settings.size, 1).len() * (1 + sample_passes(settings).len())
+    let is_lit_later = settings.mode == Mode::Studio;
+    squares + tiles(settings.size, 1).len() * (1 + usize::from(is_lit_later) + sample_passes(settings).len())
 }
 
 fn coarse(settings: &Settings) -> &'static [u32] {
@@ -236,19 +242,23 @@ impl<'a, T: Trace> Job<'a, T> {
     fn all_passes(&self) -> Result<(), Stopped> {
         let mut done = 0;
         let mut has_drawn = false;
-        let mut pass = |tiles: &[Tile], paint: Paint<'_, 'a, T>| {
+        let mut pass = |tiles: &[Tile], paint: Paint<'_, 'a, T>, is_whole: bool| {
             self.run(tiles, paint, done).map_err(|()| Stopped { has_drawn })?;
             done += tiles.len();
-            has_drawn = true;
+            has_drawn |= is_whole;
             Ok(())
         };
         for &square in coarse(self.settings) {
-            pass(&tiles(self.settings.size, square), &|worker, tile| worker.draw_squares(tile, square))?;
+            pass(&tiles(self.settings.size, square), &|worker, tile| worker.draw_squares(tile, square), true)?;
             self.passed(Pass::Squares(square));
             lock(self.canvas).remember(square);
         }
         let tiles = tiles(self.settings.size, 1);
-        pass(&tiles, &|worker, tile| worker.draw_centres(tile))?;
+        pass(&tiles, &|worker, tile| worker.draw_centres(tile), self.settings.mode != Mode::Studio)?;
+        let memory = lock(self.canvas).memory.take();
+        if let Some(memory) = &memory {
+            pass(&tiles, &|worker, tile| worker.light(tile, memory), true)?;
+        }
         lock(self.canvas).forget();
         let sample_passes = sample_passes(self.settings);
         if !sample_passes.is_empty() {
@@ -256,7 +266,7 @@ impl<'a, T: Trace> Job<'a, T> {
             lock(self.canvas).find_edges(&tiles);
         }
         for (index, ends) in sample_passes.iter().enumerate() {
-            pass(&tiles, &|worker, tile| worker.smooth_edges(tile, ends))?;
+            pass(&tiles, &|worker, tile| worker.smooth_edges(tile, ends, memory.as_ref()), true)?;
             lock(self.canvas).show_edges();
             if let (Some(&end), true) = (ends.last(), index + 1 < sample_passes.len()) {
                 self.passed(Pass::Samples(end));

@@ -3,14 +3,21 @@
 //! In: tiles, one after the other. Out: colours and what the rays know, on the canvas that all threads share.
 
 use super::canvas::{Canvas, Edge, lock};
-use super::integrator::{Scratch, Seen, shade};
+use super::integrator::{pixel, shade};
 use super::sampling;
-use super::settings::Settings;
+use super::settings::{Mode, Settings};
+use super::studio::blend::Window;
+use super::studio::gather::{self, Sample, gather};
+use super::studio::glimpse::{Glimpse, Light, Remembered, point};
+use super::studio::{self, backdrop};
 use super::tiles::{Job, Tile};
 use super::trace::Trace;
 use super::watch::Watch;
+use crate::film::Layer;
 use crate::scene::Scene;
-use crate::surface::{Hit, Ray};
+use crate::scene::light::Studio;
+use crate::surface::{Hit, Ray, Rectangle};
+use std::ops::Range;
 use std::sync::Mutex;
 
 /// About so many rays are traced at once.
@@ -23,10 +30,13 @@ pub struct Worker<'a, T> {
     watch: &'a dyn Watch,
     canvas: &'a Mutex<Canvas>,
     tracer: T,
+    lights: Studio,
+    samples: Vec<Sample>,
     rays: Vec<Ray>,
-    heights: Vec<f64>,
     hits: Vec<Hit>,
-    scratch: Scratch,
+    scratch: gather::Scratch,
+    gathered: Vec<Light>,
+    window: Window,
     colours: Vec<[f32; 3]>,
     trace_seconds: f64,
     started: f64,
@@ -43,10 +53,13 @@ impl<'a, T: Trace> Worker<'a, T> {
             watch: job.watch,
             canvas: job.canvas,
             tracer,
+            lights: Studio::around(&job.scene.camera),
+            samples: Vec::new(),
             rays: Vec::new(),
-            heights: Vec::new(),
             hits: Vec::new(),
-            scratch: Scratch::default(),
+            scratch: gather::Scratch::default(),
+            gathered: Vec::new(),
+            window: Window::default(),
             colours: Vec::new(),
             trace_seconds: job.watch.seconds() - started,
             started,
@@ -62,18 +75,53 @@ impl<'a, T: Trace> Worker<'a, T> {
     /// One ray through the middle of every square of the tile.
     pub fn draw_squares(&mut self, tile: Tile, side: u32) {
         self.look(tile.squares(side).map(|square| (square.middle().0, square.middle().1, 0)));
+        self.window = Window::default();
+        self.colour();
         lock(self.canvas).fill(tile.squares(side), &self.colours);
     }
 
-    /// One ray through the centre of every pixel of the tile.
+    /// One ray through the centre of every pixel of the tile. In mode `studio` they are coloured when all are known.
     pub fn draw_centres(&mut self, tile: Tile) {
-        self.look(tile.pixels().map(|(i, j)| (i, j, 0)));
-        lock(self.canvas).keep(tile, &self.hits, &self.colours, self.settings.samples);
+        self.samples.clear();
+        self.samples.extend(tile.pixels().map(|(i, j)| (i, j, 0)));
+        let size = self.settings.size;
+        let screen = self.scene.camera.screen(size.width(), size.height());
+        let started = self.watch.seconds();
+        self.tracer.trace_rectangle(&screen, tile.rectangle(), &mut self.rays, &mut self.hits);
+        self.trace_seconds += self.watch.seconds() - started;
+        if self.settings.mode == Mode::Studio {
+            let seen = (&self.samples[..], &self.rays[..], &self.hits[..]);
+            gather(self.scene, &self.lights, &mut self.tracer, seen, &mut self.scratch, &mut self.gathered);
+        } else {
+            shade(self.settings.mode, self.scene, &self.rays, &self.hits, &mut self.colours);
+        }
+        let remembered = self.rays.iter().zip(&self.hits).zip(&self.gathered);
+        let remembered = remembered.map(|((ray, hit), light)| Remembered::new(Glimpse::of(ray, hit), light));
+        let mut canvas = lock(self.canvas);
+        canvas.keep(tile, &self.hits, self.settings.samples);
+        canvas.keep_memory(tile, remembered);
+        canvas.colour(tile, &self.colours);
+    }
+
+    /// Colours the pixels of the tile by what they and their neighbours remember.
+    pub fn light(&mut self, tile: Tile, memory: &Layer<Remembered>) {
+        self.look_around(tile, memory);
+        self.aim(tile.pixels().map(|(i, j)| (i, j, 0)));
+        self.colours.clear();
+        for (k, (i, j)) in tile.pixels().enumerate() {
+            let kept = self.window.at(i, j);
+            let light = self.shared_light(k, &kept.glimpse).unwrap_or_else(|| kept.light());
+            self.colours.push(self.studio_colour(k, &kept.glimpse, &light));
+        }
+        lock(self.canvas).colour(tile, &self.colours);
     }
 
     /// Adds samples to the tile's edges until those that still differ have as many as the last of `ends`.
-    pub fn smooth_edges(&mut self, tile: Tile, ends: &[u32]) {
+    pub fn smooth_edges(&mut self, tile: Tile, ends: &[u32], memory: Option<&Layer<Remembered>>) {
         let mut edges = lock(self.canvas).take_edges(tile);
+        if let (Some(memory), false) = (memory, edges.is_empty()) {
+            self.look_around(tile, memory);
+        }
         for &end in ends {
             let mut torn: Vec<&mut Edge> = edges.iter_mut().filter(|edge| edge.is_torn && edge.count < end).collect();
             // All edges that are still torn have had the same samples.
@@ -85,8 +133,9 @@ impl<'a, T: Trace> Worker<'a, T> {
     }
 
     /// Takes the samples of these indices in every pixel.
-    fn add_samples(&mut self, edges: &mut [&mut Edge], indices: std::ops::Range<u32>) {
+    fn add_samples(&mut self, edges: &mut [&mut Edge], indices: Range<u32>) {
         self.look(edges.iter().flat_map(|edge| indices.clone().map(|k| (edge.at.0, edge.at.1, k))));
+        self.colour();
         for (edge, colours) in edges.iter_mut().zip(self.colours.chunks(indices.len())) {
             if edge.count == 1 {
                 let first = edge.sum.map(|light| light as f32);
@@ -101,21 +150,91 @@ impl<'a, T: Trace> Worker<'a, T> {
         }
     }
 
-    /// Traces and shades the sample k of pixel (i, j) for all (i, j, k), into `hits` and `colours`.
-    fn look(&mut self, samples: impl Iterator<Item = (u32, u32, u32)>) {
-        let (width, height) = (self.settings.size.width(), self.settings.size.height());
-        self.rays.clear();
-        self.heights.clear();
-        for (i, j, k) in samples {
-            let (across, down) = sampling::offset(k);
-            let down = f64::from(j) + down;
-            self.rays.push(self.scene.camera.ray(width, height, f64::from(i) + across, down));
-            self.heights.push(down / f64::from(height));
+    /// Lets the pixels of the tile see what their neighbours remember.
+    fn look_around(&mut self, tile: Tile, memory: &Layer<Remembered>) {
+        let Rectangle { left, top, width, height } = tile.rectangle();
+        self.window.look(&self.scene.camera, memory, [left, top, width, height]);
+    }
+
+    /// Colours the rays looked at last.
+    fn colour(&mut self) {
+        if self.settings.mode == Mode::Studio {
+            self.colour_samples();
+        } else {
+            shade(self.settings.mode, self.scene, &self.rays, &self.hits, &mut self.colours);
         }
+    }
+
+    /// Colours the rays looked at last, by the light of their neighbours, or where there is none by light of their own.
+    fn colour_samples(&mut self) {
+        let glimpses: Vec<Glimpse> = self.rays.iter().zip(&self.hits).map(|(ray, hit)| Glimpse::of(ray, hit)).collect();
+        let shared: Vec<Option<Light>> = glimpses.iter().enumerate().map(|(k, g)| self.shared_light(k, g)).collect();
+        let alone: Vec<usize> = (0..shared.len()).filter(|&k| glimpses[k].is_drawn() && shared[k].is_none()).collect();
+        let samples: Vec<Sample> = alone.iter().map(|&k| self.samples[k]).collect();
+        let rays: Vec<Ray> = alone.iter().map(|&k| self.rays[k]).collect();
+        let hits: Vec<Hit> = alone.iter().map(|&k| self.hits[k]).collect();
+        let seen = (&samples[..], &rays[..], &hits[..]);
+        gather(self.scene, &self.lights, &mut self.tracer, seen, &mut self.scratch, &mut self.gathered);
+        let mut own = self.gathered.iter();
+        self.colours.clear();
+        for (k, glimpse) in glimpses.iter().enumerate() {
+            let light = match shared[k] {
+                None if glimpse.is_drawn() => own.next().copied().unwrap_or(Light::OPEN),
+                shared => shared.unwrap_or(Light::OPEN),
+            };
+            let colour = self.studio_colour(k, glimpse, &light);
+            self.colours.push(colour);
+        }
+    }
+
+    /// The light that the neighbours of ray k share with it.
+    fn shared_light(&self, k: usize, glimpse: &Glimpse) -> Option<Light> {
+        if !glimpse.is_drawn() {
+            return None;
+        }
+        self.window.light(place(self.samples[k]), point(&self.rays[k], glimpse), glimpse, self.footprint(glimpse))
+    }
+
+    fn footprint(&self, glimpse: &Glimpse) -> f64 {
+        self.scene.camera.footprint(self.settings.size.height(), f64::from(glimpse.t))
+    }
+
+    /// What ray k sees.
+    fn studio_colour(&self, k: usize, glimpse: &Glimpse, light: &Light) -> [f32; 3] {
+        if !glimpse.is_drawn() {
+            let (i, j, _) = self.samples[k];
+            let [across, down] = place(self.samples[k]);
+            let half = f64::from(self.settings.size.height()) / 2.0;
+            let aspect = f64::from(self.settings.size.width()) / f64::from(self.settings.size.height());
+            return pixel(backdrop::backdrop([across / half - aspect, down / half - 1.0], (i, j)));
+        }
+        pixel(studio::colour(self.scene, &self.lights, &self.rays[k], glimpse, light, self.footprint(glimpse)))
+    }
+
+    /// Traces the sample k of pixel (i, j) for all (i, j, k), into `rays` and `hits`.
+    fn look(&mut self, samples: impl Iterator<Item = Sample>) {
+        self.aim(samples);
         let started = self.watch.seconds();
         self.tracer.trace(&self.rays, &mut self.hits);
         self.trace_seconds += self.watch.seconds() - started;
-        let seen = Seen { rays: &self.rays, hits: &self.hits, heights: &self.heights };
-        shade(self.settings.mode, self.scene, &mut self.tracer, seen, &mut self.scratch, &mut self.colours);
     }
+
+    /// The rays of samples, into `rays`.
+    fn aim(&mut self, samples: impl Iterator<Item = Sample>) {
+        let (width, height) = (self.settings.size.width(), self.settings.size.height());
+        self.samples.clear();
+        self.samples.extend(samples);
+        self.rays.clear();
+        let rays = self.samples.iter().map(|&sample| {
+            let [across, down] = place(sample);
+            self.scene.camera.ray(width, height, across, down)
+        });
+        self.rays.extend(rays);
+    }
+}
+
+/// Where a sample is in the picture, in pixels from its upper left corner.
+fn place((i, j, k): Sample) -> [f64; 2] {
+    let (across, down) = sampling::offset(k);
+    [f64::from(i) + across, f64::from(j) + down]
 }

@@ -113,6 +113,12 @@ impl Camera {
             step: [step, -step],
         }
     }
+
+    /// How wide a pixel is in the world at distance t on its ray, in a picture of `height` pixels.
+    pub fn footprint(&self, height: u32, t: f64) -> f64 {
+        let scale = if self.is_parallel { 1.0 } else { t };
+        2.0 * self.half_height * scale / f64::from(height)
+    }
 }
 
 /// The eye around `center` at azimuth and elevation in degrees.

@@ -4,9 +4,9 @@
 //! surfaces, or around the part of them that is nearest to the origin. Separate from the camera because a clip is
 //! found in the same way whoever looks.
 
+use super::cells::{Cell, Classify, Cube, EXTREME_CELLS, EXTREME_SHARE, Ranked, extreme};
 use crate::surface::Shape;
 use glam::DVec3;
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// Half the side of the largest box that is searched is 2 to this power.
@@ -30,18 +30,6 @@ const ENDLESS_RADIUS: f64 = 6.0;
 /// The margin around what is bounded.
 const MARGIN: f64 = 1.05;
 
-/// Boxes asked about in one search for an extreme; more would not be seen in the picture.
-const EXTREME_CELLS: u32 = 12_000;
-
-/// An extreme is found to this share of the searched box.
-const EXTREME_SHARE: f64 = 1.0 / 256.0;
-
-/// Boxes of the largest keys that are followed down to something when a search for an extreme has no work left.
-const DIVES: usize = 16;
-
-/// Boxes asked about while they are followed.
-const DIVE_CELLS: u32 = 20_000;
-
 /// Rounds of measuring what is bounded, and the shrinking that makes another one worth while.
 const ROUNDS: (u32, f64) = (40, 0.97);
 
@@ -60,23 +48,17 @@ const TIE_WIDTH: f64 = 1.0 / 8.0;
 /// Boxes asked about to find all of those; if there are more, the nearest alone counts.
 const TIE_CELLS: u32 = 8000;
 
+/// A box this narrow, as a share of its distance from the origin, is a point: doubles tell little more of it.
+const POINT_SHARE: f64 = 1e-12;
+
+/// A box narrower than this is a point: sixth powers of less underflow.
+const SMALLEST: f64 = 1e-50;
+
+/// The radius of the ball around a point: as good as any, and easily read.
+const POINT_RADIUS: f64 = 1.0;
+
 /// The grid on which the middle of the picture is put, so that what is printed can be typed.
 const GRID: f64 = 1.0 / 16.0;
-
-/// What is proven of a box.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cell {
-    /// f > 0 all over.
-    Positive,
-    /// f < 0 all over.
-    Negative,
-    /// f has no value anywhere.
-    Undefined,
-    /// No surface, for a reason that differs from place to place or from surface to surface.
-    Empty,
-    /// Nothing: there may be a surface.
-    Possible,
-}
 
 /// What was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,9 +82,6 @@ impl Framing {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nothing(pub Cell);
 
-/// The answer to the question, by the corners of a box.
-pub type Classify<'a> = &'a dyn Fn(DVec3, DVec3) -> Cell;
-
 /// Finds the ball.
 ///
 /// # Errors
@@ -113,44 +92,6 @@ pub fn find(classify: Classify) -> Result<Framing, Nothing> {
         return Ok(framing);
     }
     search.nearest()
-}
-
-/// How far from `center` there can be surface inside the box; zero if it is proven that there is none.
-pub fn reach(classify: Classify, min: DVec3, max: DVec3, center: DVec3) -> f64 {
-    let width = (max - min).max_element() * EXTREME_SHARE;
-    extreme(classify, Cube { min, max }, width, EXTREME_CELLS, &|cube| cube.farthest(center)).unwrap_or(0.0)
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Cube {
-    min: DVec3,
-    max: DVec3,
-}
-
-impl Cube {
-    fn around_origin(half: f64) -> Self {
-        Cube { min: DVec3::splat(-half), max: DVec3::splat(half) }
-    }
-
-    fn width(&self) -> f64 {
-        (self.max - self.min).max_element()
-    }
-
-    fn children(&self) -> [Cube; 8] {
-        let middle = (self.min + self.max) * 0.5;
-        std::array::from_fn(|k| {
-            let upper = glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0);
-            Cube { min: DVec3::select(upper, middle, self.min), max: DVec3::select(upper, self.max, middle) }
-        })
-    }
-
-    fn farthest(&self, point: DVec3) -> f64 {
-        (self.min - point).abs().max((self.max - point).abs()).length()
-    }
-
-    fn nearest_point(&self) -> DVec3 {
-        DVec3::ZERO.clamp(self.min, self.max)
-    }
 }
 
 struct Search<'a> {
@@ -191,7 +132,7 @@ impl Search<'_> {
     /// The ball around all there is, if enough space around it is empty.
     fn bounded(&mut self) -> Option<Framing> {
         let mut empty_shells = 0;
-        for power in 0..=MAX_POWER {
+        for power in 0..=MAX_POWER + EMPTY_SHELLS {
             let half = f64::from(1u32 << power);
             empty_shells = if self.shell_is_empty(half) { empty_shells + 1 } else { 0 };
             if self.cells_left == 0 {
@@ -210,22 +151,35 @@ impl Search<'_> {
 
     /// The ball around everything inside; `None` if on a closer look nothing is.
     fn around_all(&self, inside: Cube) -> Option<Framing> {
-        let mut bounds = inside;
-        // Each round measures to a share of the last box, so that the smallest thing is found to its own scale.
-        for _ in 0..ROUNDS.0 {
-            let tighter = self.bounding_box(bounds)?;
-            let is_done = tighter.width() > ROUNDS.1 * bounds.width();
-            bounds = tighter;
-            if is_done {
-                break;
-            }
-        }
+        let (bounds, is_point) = self.tight(inside)?;
         let half = bounds.width() / 2.0;
         let middle = (bounds.min + bounds.max) * 0.5;
+        if is_point {
+            let center = rounded(middle, POINT_RADIUS);
+            return Some(Framing { center, radius: POINT_RADIUS, is_all: true });
+        }
         let center = DVec3::select(middle.abs().cmplt(DVec3::splat(half / 64.0)), DVec3::ZERO, middle);
+        let center = rounded(center, half);
         let width = bounds.width() * EXTREME_SHARE;
         let radius = extreme(self.classify, bounds, width, EXTREME_CELLS, &|cube| cube.farthest(center))?;
         Some(Framing { center, radius: round_to_three_digits(radius * MARGIN), is_all: true })
+    }
+
+    /// A box around everything inside that measuring does not shrink any more, or one so small that it is a point.
+    fn tight(&self, inside: Cube) -> Option<(Cube, bool)> {
+        let mut bounds = inside;
+        // Each round measures to a share of the last box, so that the smallest thing is found to its own scale.
+        for _ in 0..ROUNDS.0 {
+            if bounds.width() < (POINT_SHARE * bounds.farthest(DVec3::ZERO)).max(SMALLEST) {
+                return Some((bounds, true));
+            }
+            let tighter = self.bounding_box(bounds)?;
+            if tighter.width() > ROUNDS.1 * bounds.width() {
+                return Some((tighter, false));
+            }
+            bounds = tighter;
+        }
+        Some((bounds, true))
     }
 
     fn bounding_box(&self, within: Cube) -> Option<Cube> {
@@ -322,95 +276,14 @@ fn nearness(cube: &Cube) -> f64 {
     -cube.nearest_point().length()
 }
 
-/// The largest key of a box that may hold a surface, found to `width`; `None` if no box can.
-///
-/// Without work left, the boxes of the largest keys are followed down one by one: then the key is that of a box that
-/// may hold a surface, as before, and may be less than the largest by what the margin makes good.
-fn extreme(classify: Classify, within: Cube, width: f64, cells: u32, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
-    let mut queue = BinaryHeap::from([Ranked::new(within, key)]);
-    let mut cells_left = cells;
-    while let Some(Ranked { key: found, cube }) = queue.pop() {
-        if cells_left == 0 {
-            queue.push(Ranked { key: found, cube });
-            return dives(classify, queue, width, key).or(Some(found));
-        }
-        cells_left -= 1;
-        if classify(cube.min, cube.max) == Cell::Possible {
-            if cube.width() <= width {
-                return Some(found);
-            }
-            queue.extend(cube.children().map(|child| Ranked::new(child, key)));
-        }
-    }
-    None
+/// The point with no more decimals than are seen beside `size`, so that what is printed can be typed.
+fn rounded(point: DVec3, size: f64) -> DVec3 {
+    let text = format!("{size:e}");
+    let exponent: i32 = text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
+    let decimals = usize::try_from(2 - exponent).unwrap_or(0);
+    // Adding zero makes no zero negative.
+    DVec3::from_array(point.to_array().map(|c| format!("{c:.decimals$}").parse().unwrap_or(c))) + 0.0
 }
-
-/// The largest key that is found by following the boxes of the largest keys down.
-fn dives(classify: Classify, mut queue: BinaryHeap<Ranked>, width: f64, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
-    let mut cells_left = DIVE_CELLS;
-    let mut keys = Vec::new();
-    while let Some(top) = queue.pop()
-        && keys.len() < DIVES
-        && cells_left > 0
-    {
-        keys.extend(dive(classify, top.cube, width, key, &mut cells_left));
-    }
-    keys.into_iter().reduce(f64::max)
-}
-
-/// The key of a smallest box in the cube that may hold a surface, largest keys first.
-fn dive(classify: Classify, cube: Cube, width: f64, key: &dyn Fn(&Cube) -> f64, cells_left: &mut u32) -> Option<f64> {
-    if *cells_left == 0 {
-        return None;
-    }
-    *cells_left -= 1;
-    if classify(cube.min, cube.max) != Cell::Possible {
-        return None;
-    }
-    if cube.width() <= width {
-        return Some(key(&cube));
-    }
-    let mut children = cube.children();
-    children.sort_by(|a, b| key(b).total_cmp(&key(a)));
-    children.into_iter().find_map(|child| dive(classify, child, width, key, cells_left))
-}
-
-/// A box with its place in a queue: the largest key first, of equal keys the smallest box, then by place.
-struct Ranked {
-    key: f64,
-    cube: Cube,
-}
-
-impl Ranked {
-    fn new(cube: Cube, key: &dyn Fn(&Cube) -> f64) -> Self {
-        Ranked { key: key(&cube), cube }
-    }
-
-    fn rank(&self) -> [f64; 5] {
-        [self.key, -self.cube.width(), self.cube.min.x, self.cube.min.y, self.cube.min.z]
-    }
-}
-
-impl Ord for Ranked {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let pairs = self.rank().into_iter().zip(other.rank());
-        pairs.map(|(a, b)| a.total_cmp(&b)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
-    }
-}
-
-impl PartialOrd for Ranked {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Ranked {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Ranked {}
 
 /// The nearest number of three decimal digits, so that what is printed can be typed.
 fn round_to_three_digits(x: f64) -> f64 {
@@ -443,6 +316,8 @@ mod tests {
             (DVec3::ZERO, 1e4),
             (DVec3::new(50.0, 0.0, 0.0), 1e-3),
             (DVec3::new(-3.0, 7.0, 11.0), 2.0),
+            (DVec3::ZERO, 1e6),
+            (DVec3::new(1e6, 0.0, 0.0), 1.0),
         ];
         for (center, radius) in rows {
             let framing = find(&sphere(center, radius)).unwrap();
@@ -450,6 +325,22 @@ mod tests {
             assert!((framing.center - center).length() < 0.03 * radius, "{framing:?}");
             assert!(framing.radius > 1.02 * radius && framing.radius < 1.12 * radius, "{framing:?}");
         }
+    }
+
+    #[test]
+    fn a_point_is_framed_by_a_ball_of_radius_one() {
+        for center in [DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0), DVec3::new(-0.1, 70.0, 1e-5), DVec3::splat(1e5)] {
+            let framing = find(&sphere(center, 0.0)).unwrap();
+            assert_eq!((framing.radius, framing.is_all), (1.0, true), "{center}");
+            assert!(framing.center.distance(center) < 1e-3, "{framing:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_framed_is_easily_typed() {
+        let framing = find(&sphere(DVec3::new(0.123456, -7.654321, 0.0), 0.5)).unwrap();
+        assert!(framing.center.distance(DVec3::new(0.123456, -7.654321, 0.0)) < 0.003);
+        assert!(framing.center.to_array().iter().all(|c| c.to_string().len() <= 6), "{framing:?}");
     }
 
     #[test]
@@ -486,12 +377,5 @@ mod tests {
         }
         let both = |min: DVec3, _: DVec3| if min.x >= 0.0 { Cell::Positive } else { Cell::Empty };
         assert_eq!(find(&both), Err(Nothing(Cell::Empty)));
-    }
-
-    #[test]
-    fn reach_is_the_farthest_point_in_the_box() {
-        let found = reach(&sphere(DVec3::X, 1.0), DVec3::splat(-4.0), DVec3::splat(4.0), DVec3::ZERO);
-        assert!((2.0..2.1).contains(&found), "{found}");
-        assert_eq!(reach(&|_, _| Cell::Empty, DVec3::ZERO, DVec3::ONE, DVec3::ZERO), 0.0);
     }
 }

@@ -6,14 +6,18 @@
 //!
 //! - `angle`: degrees.
 //! - [`camera`]: the ray of a pixel.
+//! - [`cells`]: boxes that may hold a surface, and how far they reach.
 //! - [`colour`]: sRGB as linear light; the palette.
+//! - [`fit`]: where the eye stands so that what there is to see fills the picture.
 //! - [`framing`]: the ball around what there is to see.
 //! - [`light`]: the lights of a scene without lights.
 //! - [`view`]: what was asked of the camera, and the camera that it means.
 
 pub mod angle;
 pub mod camera;
+pub mod cells;
 pub mod colour;
+pub mod fit;
 pub mod framing;
 pub mod light;
 pub mod view;
@@ -23,6 +27,7 @@ pub use colour::Sides;
 pub use framing::Framing;
 pub use view::{Orbit, View};
 
+use crate::surface::Shape;
 use glam::DVec3;
 
 /// All that drawing needs to know besides where the surfaces are.
@@ -30,8 +35,12 @@ use glam::DVec3;
 pub struct Scene {
     /// The eye.
     pub camera: Camera,
+    /// The point it looks at.
+    pub look_at: DVec3,
     /// The colours of each surface, in the surfaces' order.
     pub sides: Vec<Sides>,
+    /// The shapes that cut each surface off, in the surfaces' order.
+    pub clips: Vec<Vec<Shape>>,
     /// The middle of what is seen.
     pub center: DVec3,
     /// How far from there it reaches.

@@ -5,13 +5,20 @@
 
 use super::angle;
 use super::camera::{self, Camera, CameraError, Projection};
+use super::fit::Slopes;
 use glam::DVec3;
 
 /// The vertical field of view where none is asked for, in degrees: that of a lens of 50 mm in front of 36 mm.
 pub const DEFAULT_FOV: f64 = 40.0;
 
-/// From where a thing is seen when nobody says: a three-quarter view from above.
-const THREE_QUARTER: DVec3 = DVec3::new(0.5, -0.76, 0.41);
+/// From where a thing is seen when nobody says: three-quarter views from above, the usual one first, then from the
+/// other front and from behind, for what the first sees edge-on.
+const THREE_QUARTERS: [DVec3; 4] = [
+    DVec3::new(0.5, -0.76, 0.41),
+    DVec3::new(-0.5, -0.76, 0.41),
+    DVec3::new(0.5, 0.76, 0.41),
+    DVec3::new(-0.5, 0.76, 0.41),
+];
 
 /// An eye on a sphere around what it looks at.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,11 +64,42 @@ impl View {
         self.eye.is_none() && self.orbit.is_none_or(|orbit| orbit.distance.is_none())
     }
 
+    /// The directions from the target towards the eye that the view leaves open, the best known first.
+    pub fn directions(&self) -> Vec<DVec3> {
+        match self.orbit {
+            Some(orbit) => vec![camera::orbit(DVec3::ZERO, orbit.azimuth, orbit.elevation, 1.0)],
+            None => THREE_QUARTERS.map(DVec3::normalize).to_vec(),
+        }
+    }
+
+    /// The slopes of the picture's edges as seen from the eye, across and upright.
+    pub fn slopes(&self, aspect: f64) -> Slopes {
+        let upright = angle::tangent(self.fov.unwrap_or(DEFAULT_FOV) / 2.0);
+        [upright * aspect, upright]
+    }
+
     /// The camera, for what reaches `radius` far around `look_at`, in a picture `aspect` times as wide as high.
     ///
     /// # Errors
     /// If the eye has no direction to look in, or the projection shows nothing.
     pub fn camera(&self, look_at: DVec3, radius: f64, aspect: f64) -> Result<Camera, CameraError> {
+        let distance = || fitting_distance(radius, self.slopes(aspect));
+        let eye = match (self.eye, self.orbit) {
+            (Some(eye), _) => eye,
+            (None, Some(orbit)) => {
+                let distance = orbit.distance.unwrap_or_else(distance);
+                camera::orbit(look_at, orbit.azimuth, orbit.elevation, distance)
+            }
+            (None, None) => look_at + self.directions()[0] * distance(),
+        };
+        self.camera_at(eye, look_at)
+    }
+
+    /// The camera at `eye`, with the projection that was asked for.
+    ///
+    /// # Errors
+    /// If the eye has no direction to look in, or the projection shows nothing.
+    pub fn camera_at(&self, eye: DVec3, look_at: DVec3) -> Result<Camera, CameraError> {
         let fov = self.fov.unwrap_or(DEFAULT_FOV);
         if !(fov > 0.0 && fov < 180.0) {
             return Err(CameraError::FieldOfView);
@@ -70,23 +108,13 @@ impl View {
             Some(height) => Projection::Parallel { height },
             None => Projection::Perspective { fov },
         };
-        let distance = || fitting_distance(radius, fov, aspect);
-        let eye = match (self.eye, self.orbit) {
-            (Some(eye), _) => eye,
-            (None, Some(orbit)) => {
-                let distance = orbit.distance.unwrap_or_else(distance);
-                camera::orbit(look_at, orbit.azimuth, orbit.elevation, distance)
-            }
-            (None, None) => look_at + THREE_QUARTER.normalize() * distance(),
-        };
         Camera::new(eye, look_at, projection)
     }
 }
 
 /// From how far a ball just touches the nearer edges of the picture: r / sin of half the smaller field of view.
-fn fitting_distance(radius: f64, fov: f64, aspect: f64) -> f64 {
-    let half_height = angle::tangent(fov / 2.0);
-    let smaller = half_height * aspect.min(1.0);
+fn fitting_distance(radius: f64, slopes: Slopes) -> f64 {
+    let smaller = slopes[0].min(slopes[1]);
     // sin(atan(s)) = s / √(1 + s²).
     radius * (1.0 + smaller * smaller).sqrt() / smaller
 }

@@ -3,6 +3,7 @@
 //! In: a program without errors and the wishes of the command line, which win over it. Out: a [`Plan`], or why there
 //! is none. Here what was left open is found: the region, the eye, the colours.
 
+use super::outlook::{Outlook, Place};
 use super::program::Program;
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
@@ -11,7 +12,8 @@ use crate::film::Size;
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
 use crate::render::{Drawing, Failure, Mode, Passes, Settings, Watch};
-use crate::scene::framing::{self, Cell, MAX_POWER};
+use crate::scene::cells::Cell;
+use crate::scene::framing::{self, MAX_POWER};
 use crate::scene::{Framing, Scene, Sides, View, colour};
 use crate::surface::{self, Clip, Shape, Surface, Tracer};
 use glam::DVec3;
@@ -119,12 +121,12 @@ impl Plan {
             region = vec![framing.shape()];
         }
         check_region(program, wishes, &region)?;
-        let scene = scene(program, wishes, &objects, &region, found, &settings)?;
         let graph = &mut program.lowered.graph;
         let surfaces: Vec<Surface> = objects
             .iter()
             .map(|o| Surface::new(graph, o.formula.f, kind_of(&o.formula), &o.clip, wishes.simd))
             .collect();
+        let scene = scene(program, wishes, &objects, &surfaces, &region, found, &settings)?;
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,
             Method::March(Some(step)) => surface::Method::March { step },
@@ -260,42 +262,31 @@ fn scene(
     program: &Program,
     wishes: &Wishes,
     objects: &[Object],
+    surfaces: &[Surface],
     region: &[Shape],
     found: Option<Framing>,
     settings: &Settings,
 ) -> Result<Scene, Refusal> {
-    let view = wishes.view.or(written_view(program));
-    let shape = smallest(region);
-    let look_at = view.look_at.unwrap_or_else(|| shape.center());
-    let whole = shape.size() + (look_at - shape.center()).length();
-    let reached = || {
-        let (min, max) = bounds(&shape);
-        let reach = framing::reach(&|min, max| classify_all(objects, min, max), min, max, look_at);
-        if reach > 0.0 { whole.min(reach * MARGIN) } else { whole }
+    let block = program.lowered.camera;
+    let outlook = Outlook {
+        view: wishes.view.or(written_view(program)),
+        classify: &|min, max| classify_all(objects, min, max),
+        surfaces,
+        shape: smallest(region),
+        aspect: f64::from(settings.size.width()) / f64::from(settings.size.height()),
+        may_move_aside: found.is_some(),
     };
-    let radius = if found.is_none() && view.needs_reach() { reached() } else { whole };
-    let aspect = f64::from(settings.size.width()) / f64::from(settings.size.height());
-    let camera = view.camera(look_at, radius, aspect).map_err(|error| match program.lowered.camera {
+    let Place { camera, look_at, center, radius } = outlook.place().map_err(|error| match block {
         Some(block) if wishes.view == View::default() => {
             Refusal::Program(vec![Diagnostic::error(block.span, error.to_string())])
         }
         _ => Refusal::Wishes(error.to_string()),
     })?;
     let count = objects.len();
-    let sides = objects.iter().enumerate().map(|(index, object)| sides(object, index, count, &shape)).collect();
-    // The same region and camera are the same scene, whether they were found or given.
-    let radius = if settings.mode == Mode::Depth { reached() } else { whole };
-    Ok(Scene { camera, sides, center: look_at, radius })
-}
-
-/// The margin around what a clip leaves to be seen.
-const MARGIN: f64 = 1.03;
-
-fn bounds(shape: &Shape) -> (DVec3, DVec3) {
-    match *shape {
-        Shape::Box { min, max } => (min, max),
-        Shape::Ball { center, radius } => (center - DVec3::splat(radius), center + DVec3::splat(radius)),
-    }
+    let sides =
+        objects.iter().enumerate().map(|(index, object)| sides(object, index, count, &smallest(region))).collect();
+    let clips = objects.iter().map(|object| object.clip.shapes.clone()).collect();
+    Ok(Scene { camera, look_at, sides, clips, center, radius })
 }
 
 /// The colours of a surface: its front is its outside, which is where f < 0 if f is so all around the region.

@@ -73,7 +73,7 @@ fn clean(line: &str) -> String {
 
 fn camera(plan: &Plan) -> String {
     let fov = plan.view.fov.unwrap_or(DEFAULT_FOV);
-    let (eye, look_at) = (point(plan.scene.camera.eye), point(plan.scene.center));
+    let (eye, look_at) = (point(plan.scene.camera.eye), point(plan.scene.look_at));
     format!("camera {{ eye: {eye}, look_at: {look_at}, fov: {} }}\n", number(fov))
 }
 

@@ -15,7 +15,7 @@
 //! by itself.
 
 use super::hit::Ray;
-use super::sheet::{CELLS, Cells, Sheet};
+use super::sheet::{CELLS, Cells, Kernels};
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::{Level, Simd, for_each_level};
 
@@ -40,7 +40,7 @@ const ROUNDED_DOWN: f64 = 1.0 - f64::EPSILON;
 const SHY: f64 = 1.0 - 4.0 * f64::EPSILON;
 
 /// A ray may take this many slabs before it is handed to the careful method, which counts its own.
-const MOST_SLABS: u32 = 400;
+const MOST_SLABS: u32 = 20_000;
 
 /// The part of a ray that is still open.
 #[derive(Clone, Copy, Debug)]
@@ -149,31 +149,31 @@ impl Pool {
     /// Walks all open rays until each is settled, bracketed or found hard.
     pub(crate) fn run(
         &mut self,
-        sheet: &Sheet,
+        kernels: &Kernels,
         files: &mut CellFiles,
         rays: &Rays,
         open: &mut Vec<Open>,
         found: &mut Found,
     ) {
         let CellFiles { value, slope } = files;
-        let narrow = rays.size * narrow(sheet);
+        let narrow = rays.size * narrow(kernels);
         while !open.is_empty() {
             if narrow < f64::INFINITY {
                 self.pass(rays, open, found, |pool| {
                     place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, value);
-                    sheet.value.run(value);
-                    decide_by_value(rays.simd, pool, narrow, sheet.value.output(value, 0));
+                    kernels.value.run(value);
+                    decide_by_value(rays.simd, pool, narrow, kernels.value.output(value, 0));
                     1
                 });
                 std::mem::swap(open, &mut found.other);
             }
             self.pass(rays, open, found, |pool| {
                 place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.a, value);
-                sheet.value.run(value);
+                kernels.value.run(value);
                 place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, slope);
-                sheet.slope.run(slope);
-                let (g, of_slope) = (sheet.slope.output(slope, 0), sheet.slope.output(slope, 1));
-                decide_by_slope(rays.simd, pool, 2.0 * narrow, sheet.value.output(value, 0), g, of_slope);
+                kernels.slope.run(slope);
+                let (g, of_slope) = (kernels.slope.output(slope, 0), kernels.slope.output(slope, 1));
+                decide_by_slope(rays.simd, pool, 2.0 * narrow, kernels.value.output(value, 0), g, of_slope);
                 2
             });
             std::mem::swap(open, &mut found.other);
@@ -239,8 +239,8 @@ impl Pool {
 }
 
 /// The length of slab, as a part of the scale, below which the slope is enclosed too.
-fn narrow(sheet: &Sheet) -> f64 {
-    let (value, slope) = (sheet.value.len() as f64, sheet.slope.len() as f64);
+fn narrow(kernels: &Kernels) -> f64 {
+    let (value, slope) = (kernels.value.len() as f64, kernels.slope.len() as f64);
     if value >= LONG || slope >= COSTLY * value { NARROW } else { f64::INFINITY }
 }
 

@@ -3,8 +3,10 @@
 //! In: an eye with its frame and its pixels. Out: where the rays of a square of pixels are between two depths, as affine
 //! forms of (across, down, along). Separate from [`Ray`] because these know what rays have in common.
 
+use super::bundle::Bundle;
+use super::hit::Ray;
 use super::tile::{FORMS, Forms};
-use crate::num::level::for_each_level;
+use crate::num::level::{Simd, for_each_level};
 use glam::DVec3;
 
 /// The rays through the pixels of a picture: through (i, j) it goes along forward + sx·right + sy·up, with
@@ -67,6 +69,13 @@ impl Default for Places {
 }
 
 impl Screen {
+    /// The rays through the centres of a rectangle's pixels, row by row; what `rays` held is gone.
+    pub fn rays(&self, rectangle: Rectangle, rays: &mut Vec<Ray>) {
+        let mut bundle = Bundle::default();
+        bundle.fill(self, rectangle, Simd::Portable);
+        *rays = bundle.rays;
+    }
+
     /// The width of so many pixels at a depth.
     pub(crate) fn width_at(&self, pixels: u32, depth: f64) -> f64 {
         let width = f64::from(pixels) * self.step[0].abs();
@@ -87,6 +96,29 @@ impl Screen {
         }
         square
     }
+}
+
+/// Puts the points of a rectangle, between two depths in as many slabs as there are, into the registers.
+pub(crate) fn place_slabs(
+    simd: Simd,
+    screen: &Screen,
+    rectangle: Rectangle,
+    (a, end): (f64, f64),
+    forms: &mut [Forms],
+) {
+    let [middle, half] = screen.square(rectangle);
+    let step = (end - a) / FORMS as f64;
+    let mut places = Places::default();
+    for i in 0..FORMS {
+        for axis in 0..2 {
+            places.middle[axis][i] = middle[axis];
+            places.half[axis][i] = half[axis];
+        }
+        places.middle[2][i] = a + (i as f64 + 0.5) * step;
+        // The ends of slabs overlap by more than they are rounded.
+        places.half[2][i] = 0.5 * step + ROUNDED * end;
+    }
+    place_forms(simd, screen, &places, forms);
 }
 
 for_each_level! {

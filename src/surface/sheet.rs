@@ -7,11 +7,11 @@ use super::hit::Ray;
 use super::region::{self, Clip, Shape};
 use super::tile::Forms;
 use crate::closure::pieces::Pieces;
+use crate::closure::specialise::Choices;
 use crate::closure::{Kernel, Tape};
-use crate::expr::derivative::{derivative, gradient};
+use crate::expr::derivative::{along_ray, gradient};
 use crate::expr::equation::{self, Sign};
 use crate::expr::graph::{Graph, NodeId};
-use crate::expr::op::Variable;
 use crate::num::interval_lanes::IntervalLanes;
 use crate::num::lanes::Lanes;
 use crate::num::level::Simd;
@@ -55,18 +55,10 @@ pub struct Surface {
 
 /// One function g whose roots, where all conditions hold, are roots of f.
 pub(crate) struct Sheet {
-    /// g over pieces of rays.
-    pub(crate) value: Kernel<Cells>,
-    /// g and g' = a·g_x + b·g_y + c·g_z over pieces of rays.
-    pub(crate) slope: Kernel<Cells>,
-    /// g over squares of the screen.
-    pub(crate) value_form: Kernel<Forms>,
-    /// g and g' there.
-    pub(crate) slope_form: Kernel<Forms>,
-    /// g at points.
-    pub(crate) point: Kernel<Points>,
-    /// g, g_x, g_y, g_z at points.
-    pub(crate) gradient: Kernel<Points>,
+    /// g and its derivatives, as the tracers run them.
+    pub(crate) kernels: Kernels,
+    /// What of g can be left out in a part of space.
+    pub(crate) choices: Option<Choices>,
     /// g, g', g'' and then the conditions, one piece of a ray at a time.
     pub(crate) scalar: Pieces,
     /// g alone, with its jumps and poles taken apart.
@@ -79,6 +71,39 @@ pub(crate) struct Sheet {
     pub(crate) shared_roots: Vec<bool>,
     /// How many behind those must be ≤ 0 there: the clip's own formulas.
     pub(crate) fields: usize,
+}
+
+/// A function g over everything that rays are asked about.
+pub(crate) struct Kernels {
+    /// g over pieces of rays.
+    pub(crate) value: Kernel<Cells>,
+    /// g and g' = a·g_x + b·g_y + c·g_z over pieces of rays.
+    pub(crate) slope: Kernel<Cells>,
+    /// g over squares of the screen.
+    pub(crate) value_form: Kernel<Forms>,
+    /// g and g' there.
+    pub(crate) slope_form: Kernel<Forms>,
+    /// g at points.
+    pub(crate) point: Kernel<Points>,
+    /// g, g_x, g_y, g_z at points.
+    pub(crate) gradient: Kernel<Points>,
+}
+
+impl Kernels {
+    /// The kernels of a node; its derivatives are added to the graph.
+    pub(crate) fn new(graph: &mut Graph, g: NodeId, simd: Simd) -> Self {
+        let slope = along_ray(graph, &[g])[0];
+        let [x, y, z] = gradient(graph, g);
+        let (value, with_slope) = (Tape::new(graph, &[g]), Tape::new(graph, &[g, slope]));
+        Kernels {
+            value: Kernel::new(&value, simd),
+            slope: Kernel::new(&with_slope, simd),
+            value_form: Kernel::new(&value, simd),
+            slope_form: Kernel::new(&with_slope, simd),
+            point: Kernel::new(&Tape::for_points(graph, &[g]), simd),
+            gradient: Kernel::new(&Tape::for_points(graph, &[g, x, y, z]), simd),
+        }
+    }
 }
 
 /// A function as it was written.
@@ -111,6 +136,11 @@ impl Surface {
         Surface { sheets, written, shapes: clip.shapes.clone(), size: clip.size(), kind, simd }
     }
 
+    /// How many operations it takes to compute its functions at a point.
+    pub fn steps(&self) -> usize {
+        self.sheets.iter().map(|sheet| sheet.kernels.value.len()).sum()
+    }
+
     /// The distances between which the ray is inside the clip's shapes; `None` if it never is.
     pub(crate) fn span(&self, ray: &Ray) -> Option<(f64, f64)> {
         region::span(&self.shapes, ray)
@@ -127,20 +157,13 @@ fn written(graph: &mut Graph, f: NodeId, simd: Simd) -> Written {
 
 fn sheet(graph: &mut Graph, part: &equation::Sheet, fields: &[NodeId], simd: Simd) -> Sheet {
     let g = part.g;
-    let direction = [Variable::DX, Variable::DY, Variable::DZ].map(|v| graph.variable(v));
-    let slope = derivative(graph, &[g], direction)[0];
-    let curvature = derivative(graph, &[slope], direction)[0];
-    let [gx, gy, gz] = gradient(graph, g);
+    let slope = along_ray(graph, &[g])[0];
+    let curvature = along_ray(graph, &[slope])[0];
     let mut scalar = vec![g, slope, curvature];
     scalar.extend(part.guards.iter().chain(&part.nonzero).chain(fields));
-    let (value, with_slope) = (Tape::new(graph, &[g]), Tape::new(graph, &[g, slope]));
     Sheet {
-        value: Kernel::new(&value, simd),
-        slope: Kernel::new(&with_slope, simd),
-        value_form: Kernel::new(&value, simd),
-        slope_form: Kernel::new(&with_slope, simd),
-        point: Kernel::new(&Tape::for_points(graph, &[g]), simd),
-        gradient: Kernel::new(&Tape::for_points(graph, &[g, gx, gy, gz]), simd),
+        kernels: Kernels::new(graph, g, simd),
+        choices: Choices::new(graph, g, simd),
         scalar: Pieces::new(Tape::new(graph, &scalar), simd),
         sides: Pieces::new(Tape::new(graph, &[g]), simd),
         shared_roots: part.nonzero.iter().map(|&d| equation::vanishes_with(graph, g, d)).collect(),

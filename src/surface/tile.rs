@@ -13,7 +13,7 @@
 //! - None of these: half the slab, or four squares.
 
 use super::screen::{Places, Rectangle, Screen, place_forms};
-use super::sheet::Sheet;
+use super::sheet::Kernels;
 use crate::num::affine_lanes::AffineLanes;
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::Simd;
@@ -126,6 +126,8 @@ pub(crate) struct Walk {
     /// With opposite signs at both ends, the slope to be looked at.
     crossed: Vec<Square>,
     places: Places,
+    /// The depths between which the formula is what it is.
+    limits: (f64, f64),
 }
 
 /// What a slab says of its square.
@@ -137,16 +139,18 @@ enum Verdict {
 }
 
 impl Walk {
-    /// Settles what squares of pixels can, each ray between the depths that `range` gives for a square.
+    /// Settles what squares of pixels can, each ray between the depths that `range` gives for a square, looking no farther
+    /// than the limits on either side.
     pub(crate) fn run(
         &mut self,
-        sheet: &Sheet,
+        kernels: &Kernels,
         files: &mut FormFiles,
         (screen, rectangle, simd): (&Screen, Rectangle, Simd),
-        range: impl Fn(Rectangle) -> Option<(f64, f64)>,
+        (limits, range): ((f64, f64), impl Fn(Rectangle) -> Option<(f64, f64)>),
         settled: &mut Settled,
     ) {
         self.open.clear();
+        self.limits = limits;
         for top in (0..rectangle.height).step_by(LARGEST as usize) {
             for left in (0..rectangle.width).step_by(LARGEST as usize) {
                 let (width, height) = (LARGEST.min(rectangle.width - left), LARGEST.min(rectangle.height - top));
@@ -158,12 +162,12 @@ impl Walk {
         }
         while !self.open.is_empty() || !self.crossed.is_empty() {
             while !self.open.is_empty() {
-                self.look_at_values(sheet, files, (screen, rectangle, simd), settled);
+                self.look_at_values(kernels, files, (screen, rectangle, simd), settled);
                 if self.crossed.len() >= FORMS {
-                    self.look_at_slopes(sheet, files, (screen, rectangle, simd), settled);
+                    self.look_at_slopes(kernels, files, (screen, rectangle, simd), settled);
                 }
             }
-            self.look_at_slopes(sheet, files, (screen, rectangle, simd), settled);
+            self.look_at_slopes(kernels, files, (screen, rectangle, simd), settled);
         }
     }
 
@@ -189,7 +193,7 @@ impl Walk {
 
     fn look_at_values(
         &mut self,
-        sheet: &Sheet,
+        kernels: &Kernels,
         files: &mut FormFiles,
         view: (&Screen, Rectangle, Simd),
         settled: &mut Settled,
@@ -200,13 +204,13 @@ impl Walk {
             *square = self.open.pop().unwrap_or_default();
         }
         self.place(&mut files.value, &squares[..count], view);
-        sheet.value_form.run(&mut files.value);
-        let g = sheet.value_form.output(&files.value, 0);
+        kernels.value_form.run(&mut files.value);
+        let g = kernels.value_form.output(&files.value, 0);
         settled.cells += count as u64;
         for (lane, square) in squares[..count].iter_mut().enumerate() {
             square.slabs += 1;
             square.cost += 1;
-            match square.judge(g, lane, view.0) {
+            match square.judge(g, lane, view.0, self.limits) {
                 Verdict::Empty => {}
                 Verdict::Again => self.open.push(*square),
                 Verdict::Crossed => self.crossed.push(*square),
@@ -218,7 +222,7 @@ impl Walk {
     /// Files the crossed squares whose slope has one sign, and cuts the others.
     fn look_at_slopes(
         &mut self,
-        sheet: &Sheet,
+        kernels: &Kernels,
         files: &mut FormFiles,
         view: (&Screen, Rectangle, Simd),
         settled: &mut Settled,
@@ -233,8 +237,8 @@ impl Walk {
             return;
         }
         self.place(&mut files.slope, &squares[..count], view);
-        sheet.slope_form.run(&mut files.slope);
-        let (g, slope) = (sheet.slope_form.output(&files.slope, 0), sheet.slope_form.output(&files.slope, 1));
+        kernels.slope_form.run(&mut files.slope);
+        let (g, slope) = (kernels.slope_form.output(&files.slope, 0), kernels.slope_form.output(&files.slope, 1));
         settled.cells += count as u64;
         for (lane, square) in squares[..count].iter().enumerate() {
             let (lo, hi) = slope.bounds(lane);
@@ -273,7 +277,7 @@ impl Walk {
 
 impl Square {
     /// What the form of g over the slab says; moves the slab.
-    fn judge(&mut self, g: &Forms, lane: usize, screen: &Screen) -> Verdict {
+    fn judge(&mut self, g: &Forms, lane: usize, screen: &Screen, limits: (f64, f64)) -> Verdict {
         let (c, along) = (g.center[lane], g.slope[2][lane]);
         let radius = g.radius(lane);
         let flags = g.flags[lane];
@@ -289,7 +293,12 @@ impl Square {
         if known && bent < BENT * along && lean < MOST_GROWTH * along {
             let (middle, half) = (-c / g.slope[2][lane], (radius - along * (1.0 - 1e-12)) / along);
             let margin = MARGIN * (1.0 + middle.abs() + half);
-            return self.follow(-g.slope[2][lane].signum(), middle - half - margin, middle + half + margin, screen);
+            let front = -g.slope[2][lane].signum();
+            let verdict = self.follow(front, middle - half - margin, middle + half + margin, screen);
+            let beyond = self.a < limits.0 || self.b > limits.1;
+            (self.a, self.b) = (self.a.max(limits.0), self.b.min(limits.1));
+            let is_cut = !(self.a < self.b) || (beyond && matches!(verdict, Verdict::Crossed));
+            return if is_cut { Verdict::Cut } else { verdict };
         }
         self.halve(screen)
     }

@@ -9,13 +9,15 @@ use super::hit::{Counts, Hit, Outcome, Ray};
 use super::isolate::{CellFiles, Found, Open, Pool, Rays};
 use super::march::Marcher;
 use super::refine::{Batch, Files, Refined, points_at};
-use super::screen::{Rectangle, Screen};
-use super::sheet::{POINTS, Points, Sheet, Surface};
+use super::screen::{Rectangle, Screen, place_slabs};
+use super::sheet::{Kernels, POINTS, Points, Sheet, Surface};
 use super::stream::{LENGTHENED, Root, SHORTENED, Stream, Tools};
 use super::tile::{FormFiles, Rest, Settled, Walk};
 use crate::closure::pieces::Scratch;
+use crate::closure::specialise::{Choices, Key, SLABS, Slabs};
 use crate::num::level::Simd;
 use glam::DVec3;
+use std::collections::HashMap;
 
 /// How roots are looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,25 +74,80 @@ struct View<'a> {
     bundle: &'a Bundle,
 }
 
-/// Register files of one sheet.
-struct Memory {
+/// Register files of some kernels.
+struct Registers {
     cells: CellFiles,
     forms: FormFiles,
     point: Vec<Points>,
     gradient: Vec<Points>,
+}
+
+impl Registers {
+    fn new(kernels: &Kernels) -> Self {
+        Registers {
+            cells: CellFiles { value: kernels.value.registers(), slope: kernels.slope.registers() },
+            forms: FormFiles { value: kernels.value_form.registers(), slope: kernels.slope_form.registers() },
+            point: kernels.point.registers(),
+            gradient: kernels.gradient.registers(),
+        }
+    }
+}
+
+/// A sheet's formula without what does not matter in some part of space.
+struct Special {
+    kernels: Kernels,
+    registers: Registers,
+}
+
+/// What a tracer keeps for one sheet.
+struct Memory {
+    registers: Registers,
     scalar: Scratch,
     sides: Scratch,
+    /// The forms of what can be left out, and the formulas without it met so far.
+    slabs: Vec<Slabs>,
+    specials: HashMap<Key, Special>,
+    /// The one at hand; its registers are in `registers` meanwhile.
+    special: Option<(Key, Special)>,
 }
+
+/// So many formulas are kept; then all are made anew.
+const MOST_SPECIALS: usize = 2048;
 
 impl Memory {
     fn new(sheet: &Sheet) -> Self {
         Memory {
-            cells: CellFiles { value: sheet.value.registers(), slope: sheet.slope.registers() },
-            forms: FormFiles { value: sheet.value_form.registers(), slope: sheet.slope_form.registers() },
-            point: sheet.point.registers(),
-            gradient: sheet.gradient.registers(),
+            registers: Registers::new(&sheet.kernels),
             scalar: sheet.scalar.scratch(),
             sides: sheet.sides.scratch(),
+            slabs: sheet.choices.as_ref().map_or_else(Vec::new, Choices::registers),
+            specials: HashMap::new(),
+            special: None,
+        }
+    }
+
+    /// Takes up the formula that is enough between two depths of a rectangle.
+    fn specialise(&mut self, sheet: &Sheet, (a, end): (f64, f64), view: View, simd: Simd) {
+        let Some(choices) = &sheet.choices else { return };
+        place_slabs(simd, view.screen, view.rectangle, (a, end), &mut self.slabs);
+        let Some(key) = choices.live(&mut self.slabs, SLABS) else { return };
+        if self.specials.len() >= MOST_SPECIALS {
+            self.specials.clear();
+        }
+        let mut special = self.specials.remove(&key).unwrap_or_else(|| {
+            let (mut graph, g) = choices.pruned(&key);
+            let kernels = Kernels::new(&mut graph, g, simd);
+            Special { registers: Registers::new(&kernels), kernels }
+        });
+        std::mem::swap(&mut self.registers, &mut special.registers);
+        self.special = Some((key, special));
+    }
+
+    /// Puts it away again.
+    fn generalise(&mut self) {
+        if let Some((key, mut special)) = self.special.take() {
+            std::mem::swap(&mut self.registers, &mut special.registers);
+            self.specials.insert(key, special);
         }
     }
 }
@@ -142,6 +199,11 @@ impl<'a> Tracer<'a> {
         self.bundle = bundle;
     }
 
+    /// The rays of the last rectangle; what `rays` held is used again.
+    pub fn take_rays(&mut self, rays: &mut Vec<Ray>) {
+        std::mem::swap(rays, &mut self.bundle.rays);
+    }
+
     /// The same for rays that start beside a surface, at [`Hit::near`]: nothing is skipped.
     pub fn trace_from_surface(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
         self.run(rays, 0.0, None, hits);
@@ -177,9 +239,10 @@ impl<'a> Tracer<'a> {
         }
         while !self.open.is_empty() {
             let memory = &mut self.files[index][k];
-            let sheet = &surface.sheets[k];
+            let Memory { registers, special, .. } = memory;
+            let kernels = special.as_ref().map_or(&surface.sheets[k].kernels, |(_, special)| &special.kernels);
             let rays = Rays { list: job.rays, size: surface.size, simd: surface.simd };
-            self.pool.run(sheet, &mut memory.cells, &rays, &mut self.open, &mut self.found);
+            self.pool.run(kernels, &mut registers.cells, &rays, &mut self.open, &mut self.found);
             self.counts.cells += std::mem::take(&mut self.found.cells);
             for (ray, slabs) in self.found.empty.drain(..) {
                 job.hits[ray as usize].cost += slabs;
@@ -194,6 +257,7 @@ impl<'a> Tracer<'a> {
             self.found.hard.clear();
         }
         self.normals(surface, index, k, job);
+        self.files[index][k].generalise();
     }
 
     fn open_rays(&mut self, surface: &Surface, skipped: f64, job: &Job) {
@@ -224,18 +288,19 @@ impl<'a> Tracer<'a> {
         for (far, hit) in spans.far.iter_mut().zip(&*job.hits) {
             *far = far.min(hit.t).min(FAR);
         }
-        let memory = &mut self.files[index][k];
         settled.clear();
-        walk.run(
-            sheet,
-            &mut memory.forms,
-            (screen, rectangle, simd),
-            |square| depths(bundle, spans, square.numbers(rectangle.width)),
-            settled,
-        );
+        let Some((first, last)) = depths(bundle, spans, 0..bundle.rays.len()) else { return };
+        // Squares may look a little beyond their rays' ends.
+        let (first, last) = (first * 0.9, if last < FAR { last + 0.1 * (last - first) } else { last });
+        let memory = &mut self.files[index][k];
+        memory.specialise(sheet, (first, last), View { screen, rectangle, bundle }, simd);
+        let Memory { registers, special, .. } = memory;
+        let kernels = special.as_ref().map_or(&sheet.kernels, |(_, special)| &special.kernels);
+        let range = |square: Rectangle| depths(bundle, spans, square.numbers(rectangle.width));
+        walk.run(kernels, &mut registers.forms, (screen, rectangle, simd), ((first, last), range), settled);
         self.counts.cells += settled.cells;
-        let (gradient, cells) = (&mut memory.gradient, &mut memory.cells.value);
-        let mut tools = Tools { sheet, gradient, cells, size, simd, evaluations: 0, enclosures: 0 };
+        let (gradient, cells) = (&mut registers.gradient, &mut registers.cells.value);
+        let mut tools = Tools { kernels, gradient, cells, size, simd, evaluations: 0, enclosures: 0 };
         let open = &mut self.open;
         let mut found = |root: &Root| {
             let (t0, t1) = (spans.near[root.ray], spans.far[root.ray]);
@@ -274,13 +339,13 @@ impl<'a> Tracer<'a> {
     fn refine(&mut self, surface: &Surface, index: usize, k: usize, job: &mut Job) {
         let brackets = std::mem::take(&mut self.found.brackets);
         for chunk in brackets.chunks(POINTS) {
-            let memory = &mut self.files[index][k];
-            let mut files =
-                Files { point: &mut memory.point, gradient: &mut memory.gradient, cells: &mut memory.cells.value };
-            let sheet = &surface.sheets[k];
+            let Memory { registers, special, .. } = &mut self.files[index][k];
+            let Registers { point, gradient, cells, .. } = registers;
+            let mut files = Files { point, gradient, cells: &mut cells.value };
+            let kernels = special.as_ref().map_or(&surface.sheets[k].kernels, |(_, special)| &special.kernels);
             self.refined.clear();
             let rays = Rays { list: job.rays, size: surface.size, simd: surface.simd };
-            let work = self.batch.run(sheet, &mut files, &rays, chunk, &mut self.refined);
+            let work = self.batch.run(kernels, &mut files, &rays, chunk, &mut self.refined);
             self.counts.points += work.points;
             self.counts.gradients += work.gradients;
             self.counts.cells += work.cells;
@@ -357,7 +422,9 @@ impl<'a> Tracer<'a> {
     /// Finds the normals that are still missing, a batch at a time.
     fn normals(&mut self, surface: &Surface, index: usize, k: usize, job: &mut Job) {
         let bare = std::mem::take(&mut job.bare);
-        let (sheet, registers) = (&surface.sheets[k], &mut self.files[index][k].gradient);
+        let Memory { registers, special, .. } = &mut self.files[index][k];
+        let kernels = special.as_ref().map_or(&surface.sheets[k].kernels, |(_, special)| &special.kernels);
+        let registers = &mut registers.gradient;
         for chunk in bare.chunks(POINTS) {
             let at = |i: usize| &chunk[i.min(chunk.len() - 1)];
             let part =
@@ -365,10 +432,10 @@ impl<'a> Tracer<'a> {
             let origin = [0, 1, 2].map(|axis| part(|r| r.origin, axis));
             let direction = [0, 1, 2].map(|axis| part(|r| r.direction, axis));
             points_at(surface.simd, &origin, &direction, &std::array::from_fn(|i| at(i).1), registers);
-            sheet.gradient.run(registers);
+            kernels.gradient.run(registers);
             self.counts.gradients += chunk.len() as u64;
             for (i, &(ray, _)) in chunk.iter().enumerate() {
-                let [x, y, z] = [1, 2, 3].map(|c| sheet.gradient.output(registers, c).0[i]);
+                let [x, y, z] = [1, 2, 3].map(|c| kernels.gradient.output(registers, c).0[i]);
                 job.turn(ray, DVec3::new(x, y, z));
             }
         }

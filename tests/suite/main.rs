@@ -9,6 +9,7 @@ mod cli;
 mod closures;
 mod command;
 mod formulas;
+mod framing;
 mod grammar;
 mod hostile;
 mod language;

@@ -34,12 +34,19 @@ fn first_hit(ray: &Ray) -> Hit {
     if half_squared < 0.0 || t <= 0.0 {
         return Hit { proven: true, ..Hit::NONE };
     }
-    Hit { outcome: Outcome::Hit, proven: true, t, near: t, normal: ray.at(t), ..Hit::NONE }
+    Hit { outcome: Outcome::Hit, proven: true, t, near: t - 1e-12, normal: ray.at(t), ..Hit::NONE }
 }
 
 fn scene() -> Scene {
     let camera = Camera::new(DVec3::new(0.0, -3.0, 0.0), DVec3::ZERO, Projection::Perspective { fov: 50.0 }).unwrap();
-    Scene { camera, sides: vec![Sides::by_default(0, 1)], center: DVec3::ZERO, radius: 1.0 }
+    Scene {
+        camera,
+        look_at: DVec3::ZERO,
+        sides: vec![Sides::by_default(0, 1)],
+        clips: vec![Vec::new()],
+        center: DVec3::ZERO,
+        radius: 1.0,
+    }
 }
 
 fn settings(mode: Mode, samples: u32) -> Settings {

@@ -1,0 +1,166 @@
+//! Boxes of space, and the search for what is farthest among those that may hold a surface.
+//!
+//! In: a question that can be asked of any box: is it proven that no surface is in it? Out: the largest value that a
+//! function takes where there can be surface. Separate from framing, because the eye's distance is found by it too.
+
+use glam::DVec3;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// Boxes asked about in one search for an extreme; more would not be seen in the picture.
+pub(super) const EXTREME_CELLS: u32 = 12_000;
+
+/// An extreme is found to this share of the searched box.
+pub(super) const EXTREME_SHARE: f64 = 1.0 / 256.0;
+
+/// Boxes of the largest keys that are followed down to something when a search for an extreme has no work left.
+const DIVES: usize = 16;
+
+/// Boxes asked about while they are followed.
+const DIVE_CELLS: u32 = 20_000;
+
+/// What is proven of a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cell {
+    /// f > 0 all over.
+    Positive,
+    /// f < 0 all over.
+    Negative,
+    /// f has no value anywhere.
+    Undefined,
+    /// No surface, for a reason that differs from place to place or from surface to surface.
+    Empty,
+    /// Nothing: there may be a surface.
+    Possible,
+}
+
+/// The answer to the question, by the corners of a box.
+pub type Classify<'a> = &'a dyn Fn(DVec3, DVec3) -> Cell;
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cube {
+    pub min: DVec3,
+    pub max: DVec3,
+}
+
+impl Cube {
+    pub(super) fn around_origin(half: f64) -> Self {
+        Cube { min: DVec3::splat(-half), max: DVec3::splat(half) }
+    }
+
+    pub(super) fn width(&self) -> f64 {
+        (self.max - self.min).max_element()
+    }
+
+    pub(super) fn children(&self) -> [Cube; 8] {
+        let middle = (self.min + self.max) * 0.5;
+        std::array::from_fn(|k| {
+            let upper = glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0);
+            Cube { min: DVec3::select(upper, middle, self.min), max: DVec3::select(upper, self.max, middle) }
+        })
+    }
+
+    pub(super) fn farthest(&self, point: DVec3) -> f64 {
+        (self.min - point).abs().max((self.max - point).abs()).length()
+    }
+
+    pub(super) fn nearest_point(&self) -> DVec3 {
+        DVec3::ZERO.clamp(self.min, self.max)
+    }
+}
+
+/// The largest key of a box that may hold a surface, found to `width`; `None` if no box can.
+///
+/// Without work left, the boxes of the largest keys are followed down one by one: then the key is that of a box that
+/// may hold a surface, as before, and may be less than the largest by what the margin makes good.
+pub(super) fn extreme(
+    classify: Classify,
+    within: Cube,
+    width: f64,
+    cells: u32,
+    key: &dyn Fn(&Cube) -> f64,
+) -> Option<f64> {
+    let mut queue = BinaryHeap::from([Ranked::new(within, key)]);
+    let mut cells_left = cells;
+    while let Some(Ranked { key: found, cube }) = queue.pop() {
+        if cells_left == 0 {
+            queue.push(Ranked { key: found, cube });
+            return dives(classify, queue, width, key).or(Some(found));
+        }
+        cells_left -= 1;
+        if classify(cube.min, cube.max) == Cell::Possible {
+            if cube.width() <= width {
+                return Some(found);
+            }
+            queue.extend(cube.children().map(|child| Ranked::new(child, key)));
+        }
+    }
+    None
+}
+
+/// The largest key that is found by following the boxes of the largest keys down.
+fn dives(classify: Classify, mut queue: BinaryHeap<Ranked>, width: f64, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
+    let mut cells_left = DIVE_CELLS;
+    let mut keys = Vec::new();
+    while let Some(top) = queue.pop()
+        && keys.len() < DIVES
+        && cells_left > 0
+    {
+        keys.extend(dive(classify, top.cube, width, key, &mut cells_left));
+    }
+    keys.into_iter().reduce(f64::max)
+}
+
+/// The key of a smallest box in the cube that may hold a surface, largest keys first.
+fn dive(classify: Classify, cube: Cube, width: f64, key: &dyn Fn(&Cube) -> f64, cells_left: &mut u32) -> Option<f64> {
+    if *cells_left == 0 {
+        return None;
+    }
+    *cells_left -= 1;
+    if classify(cube.min, cube.max) != Cell::Possible {
+        return None;
+    }
+    if cube.width() <= width {
+        return Some(key(&cube));
+    }
+    let mut children = cube.children();
+    children.sort_by(|a, b| key(b).total_cmp(&key(a)));
+    children.into_iter().find_map(|child| dive(classify, child, width, key, cells_left))
+}
+
+/// A box with its place in a queue: the largest key first, of equal keys the smallest box, then by place.
+pub(super) struct Ranked {
+    pub key: f64,
+    pub cube: Cube,
+}
+
+impl Ranked {
+    pub(super) fn new(cube: Cube, key: &dyn Fn(&Cube) -> f64) -> Self {
+        Ranked { key: key(&cube), cube }
+    }
+
+    fn rank(&self) -> [f64; 5] {
+        [self.key, -self.cube.width(), self.cube.min.x, self.cube.min.y, self.cube.min.z]
+    }
+}
+
+impl Ord for Ranked {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let pairs = self.rank().into_iter().zip(other.rank());
+        pairs.map(|(a, b)| a.total_cmp(&b)).find(|o| o.is_ne()).unwrap_or(Ordering::Equal)
+    }
+}
+
+impl PartialOrd for Ranked {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Ranked {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Ranked {}
