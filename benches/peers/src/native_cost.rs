@@ -11,7 +11,7 @@ use std::hint::black_box;
 use std::sync::OnceLock;
 
 /// Calls in one sample, and samples.
-const CALLS: usize = 2000;
+const CALLS: usize = 20_000;
 const SAMPLES: usize = 9;
 
 /// Which formula by hand stands for which scene. csg27's is without the ball cut out, so its limit is too low.
