@@ -47,7 +47,7 @@ impl<const N: usize> AffineLanes<N> {
     /// How far the value of lane i can be from its centre.
     #[inline(always)]
     pub fn radius(&self, i: usize) -> f64 {
-        let [a, b, c] = self.slope.map(|slope| slope[i].abs());
+        let (a, b, c) = (self.slope[0][i].abs(), self.slope[1][i].abs(), self.slope[2][i].abs());
         ((a + b) + (c + self.error[i])) * (1.0 + ROUNDING) + TINY
     }
 

@@ -217,7 +217,7 @@ for_each_level! {
         for i in 0..POINTS {
             let live = stream.moved[i] > stream.tolerance[i];
             let t = stream.t[i];
-            let [x, y, z] = [0, 1, 2].map(|k| stream.direction[k][i]);
+            let (x, y, z) = (stream.direction[0][i], stream.direction[1][i], stream.direction[2][i]);
             let slope = L::fma(gradient[0][i], x, L::fma(gradient[1][i], y, gradient[2][i] * z));
             let newton = t - g[i] / slope;
             let next = if newton > stream.a[i] { newton } else { stream.a[i] };
@@ -245,8 +245,8 @@ for_each_level! {
     /// Gradients become normals that face where the rays come from.
     fn face[L](stream: &mut Stream) {
         for i in 0..POINTS {
-            let [x, y, z] = [0, 1, 2].map(|k| stream.gradient[k][i]);
-            let [dx, dy, dz] = [0, 1, 2].map(|k| stream.direction[k][i]);
+            let (x, y, z) = (stream.gradient[0][i], stream.gradient[1][i], stream.gradient[2][i]);
+            let (dx, dy, dz) = (stream.direction[0][i], stream.direction[1][i], stream.direction[2][i]);
             let along = L::fma(x, dx, L::fma(y, dy, z * dz));
             let length = L::fma(x, x, L::fma(y, y, z * z)).sqrt();
             let size = if length < f64::INFINITY { 1.0 / length } else { f64::NAN };

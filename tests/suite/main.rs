@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs, clippy::print_stderr)]
 
 mod again;
+mod agreement;
 mod cli;
 mod closures;
 mod command;

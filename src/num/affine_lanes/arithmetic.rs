@@ -2,7 +2,8 @@
 //!
 //! In: forms. Out: forms; every error grows by [`ROUNDING`] of all magnitudes in play, which covers the roundings of
 //! the operation many times over: cells are told apart long before that matters. Separate because these loops
-//! must stay free of branches.
+//! must stay free of branches, and of calls that are not
+//! compiled for the same instructions, such as that of a map over an array.
 
 use super::{AffineLanes, ROUNDING, SYMBOLS, TINY};
 use crate::num::mask::join;
@@ -31,7 +32,8 @@ fn linear<const N: usize>(
 ) {
     for i in 0..N {
         let c = f(a.center[i], b.center[i]);
-        let [x, y, z] = [0, 1, 2].map(|k| f(a.slope[k][i], b.slope[k][i]));
+        let (x, y) = (f(a.slope[0][i], b.slope[0][i]), f(a.slope[1][i], b.slope[1][i]));
+        let z = f(a.slope[2][i], b.slope[2][i]);
         let error = a.error[i] + b.error[i];
         let size = (c.abs() + x.abs()) + (y.abs() + z.abs()) + error;
         out.center[i] = c;
@@ -56,8 +58,8 @@ pub(super) fn sub<const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &
 pub(super) fn mul<const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &mut AffineLanes<N>) {
     for i in 0..N {
         let (c, d) = (a.center[i], b.center[i]);
-        let [x, y, z] = [0, 1, 2].map(|k| a.slope[k][i]);
-        let [u, v, w] = [0, 1, 2].map(|k| b.slope[k][i]);
+        let (x, y, z) = (a.slope[0][i], a.slope[1][i], a.slope[2][i]);
+        let (u, v, w) = (b.slope[0][i], b.slope[1][i], b.slope[2][i]);
         let (e, f) = (a.error[i], b.error[i]);
         let (xu, yv, zw) = (x * u, y * v, z * w);
         let squares = 0.5 * (xu + yv + zw);
@@ -81,7 +83,7 @@ pub(super) fn mul<const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &
 pub(super) fn square<const N: usize>(a: &AffineLanes<N>, out: &mut AffineLanes<N>) {
     for i in 0..N {
         let c = a.center[i];
-        let [x, y, z] = [0, 1, 2].map(|k| a.slope[k][i]);
+        let (x, y, z) = (a.slope[0][i], a.slope[1][i], a.slope[2][i]);
         let e = a.error[i];
         let squares = 0.5 * ((x * x + y * y) + z * z);
         let mixed = 2.0 * ((x * y).abs() + ((x * z).abs() + (y * z).abs()));
