@@ -59,7 +59,7 @@ fn cell<T>(value: Option<T>, show: impl FnOnce(T) -> String) -> String {
 }
 
 fn ratio(value: f64) -> String {
-    if value < 10.0 { format!("{value:.1}") } else { format!("{value:.0}") }
+    if value < 100.0 { format!("{value:.1}") } else { format!("{value:.0}") }
 }
 
 /// Bold where a goal is missed.
