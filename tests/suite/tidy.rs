@@ -196,7 +196,8 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     entries.sort();
     let mut found = Vec::new();
     for path in entries {
-        if path.is_dir() {
+        // What cargo has generated for a crate of its own is not ours.
+        if path.is_dir() && !path.ends_with("target") {
             found.extend(sources(&path));
         } else if path.extension().is_some_and(|ending| ending == "rs") {
             found.push(path);
