@@ -95,6 +95,21 @@ pub fn on_line<const N: usize>(text: &str) -> Result<Place<N>, String> {
     }
 }
 
+/// A pixel, counted from the left and from the top, from 0.
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn pixel(text: &str) -> Result<[u32; 2], String> {
+    let parts: Vec<Option<u32>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    match parts[..] {
+        [Some(i), Some(j)] => Ok([i, j]),
+        _ => {
+            Err("a pixel is two whole numbers with a comma between them, from the left and from the top, as in 400,300"
+                .into())
+        }
+    }
+}
+
 /// A whole number.
 ///
 /// # Errors
