@@ -10,18 +10,23 @@
 //! - [`classify`]: what a surface is; [`quadric`], [`bounds`]; [`substitute`]: mirror images, turns, rays.
 //! - [`drawing`], [`evaluation`]: the graph of a formula, and what runs.
 //! - [`mod@explain`]: all of that as one page.
+//! - [`ray`]: one ray, told. - [`mod@compare`]: what steps, samples and objects cost and change.
+//! - [`lessons`]: all of it in order, for a first course.
 //! - [`chance`]: points at which formulas are compared.
 
 pub mod bounds;
 pub mod chance;
 pub mod classify;
+pub mod compare;
 pub mod derivation;
 pub mod drawing;
 pub mod evaluation;
 pub mod explain;
+pub mod lessons;
 pub mod notation;
 pub mod page;
 pub mod quadric;
+pub mod ray;
 pub mod rules;
 pub mod shorten;
 pub mod substitute;

@@ -152,7 +152,7 @@ fn written(graph: &Graph, id: NodeId, left: &mut usize) -> Option<Term> {
         Op::Add => Term::Sum(in_order(joined(next(), next(), true))),
         Op::Sub => {
             let (a, b) = (next(), next());
-            Term::Sum(joined(a, b.negated(), true))
+            Term::Sum(joined(a, opposite(b), true))
         }
         Op::Mul => Term::Product(joined(next(), next(), false)),
         Op::Neg => next().negated(),
@@ -163,6 +163,16 @@ fn written(graph: &Graph, id: NodeId, left: &mut usize) -> Option<Term> {
         Op::Power(n) => next().to_power(n),
         op => Term::Apply(op, args.collect()),
     })
+}
+
+/// −a, written into the members of a sum.
+fn opposite(a: Term) -> Term {
+    match a {
+        Term::Sum(list) => Term::Sum(list.into_iter().map(opposite).collect()),
+        Term::Negative(inner) => *inner,
+        Term::Number(value) => Term::Number(value.negated()),
+        other => other.negated(),
+    }
 }
 
 /// Two members of a sum or a product as one flat list.

@@ -7,11 +7,11 @@ use crate::teach::notation::mathml;
 use crate::teach::svg::escaped;
 
 const STYLE: &str = "\
-body{font:17px/1.55 Georgia,'DejaVu Serif',serif;max-width:52rem;margin:2rem auto;padding:0 1rem;color:#1b1f24;background:#fff}\
+body{font:17px/1.55 Georgia,'DejaVu Serif',serif;max-width:58rem;margin:2rem auto;padding:0 1rem;color:#1b1f24;background:#fff}\
 h1{font-size:1.9rem;line-height:1.2}h2{font-size:1.3rem;margin-top:2.2rem}\
 table{border-collapse:collapse;font:14px/1.4 'DejaVu Sans',Arial,sans-serif;margin:1rem 0;display:block;overflow-x:auto}\
-th,td{text-align:left;padding:.25rem .8rem;border-bottom:1px solid #d6dbe0;white-space:nowrap}th{border-bottom:2px solid #8a9199}\
-pre{background:#f4f6f8;padding:.7rem 1rem;overflow-x:auto;font:14px/1.4 'DejaVu Sans Mono',monospace}\
+th,td{text-align:left;padding:.25rem .8rem;border-bottom:1px solid #d6dbe0;white-space:nowrap}td:last-child{white-space:normal}th{border-bottom:2px solid #8a9199}\
+pre{white-space:pre-wrap;background:#f4f6f8;padding:.7rem 1rem;overflow-x:auto;font:14px/1.4 'DejaVu Sans Mono',monospace}\
 figure{margin:1.4rem 0}figure svg,figure img{max-width:100%;height:auto}figcaption{font-size:.9rem;color:#55606a}\
 .line{display:flex;flex-wrap:wrap;gap:.3rem 1.5rem;align-items:center;justify-content:space-between;margin:.45rem 0}\
 .line .formula{overflow-x:auto;overflow-y:hidden;max-width:100%;padding:.15rem 0}.note{color:#0072b2;font-size:.9rem}nav{font-size:.95rem}";
