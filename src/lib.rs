@@ -86,5 +86,6 @@ pub mod surface;
 pub mod scene;
 pub mod film;
 pub mod render;
+pub mod teach;
 pub mod session;
 pub mod cli;

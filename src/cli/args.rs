@@ -3,6 +3,8 @@
 //! In: the process's arguments. Out: plain values, each checked on its own; or the message and exit status that the
 //! command line deserves. The doc comments are the help.
 
+pub mod teaching;
+
 use super::values::{
     ball, box_bounds, field_of_view, mode, numbers, on_line, orbit, positive, setting, threads, whole,
 };
@@ -31,6 +33,8 @@ Type an equation and see its surface, exactly.
 {usage-heading} implicit [OPTIONS] PROGRAM...   draw: PROGRAM is text, a file.imp, or -
        implicit check PROGRAM...       print errors and notes, draw nothing
        implicit eval PROGRAM... --at X,Y,Z | --over BOX    value or bounds of f
+       implicit explain | ray | compare PROGRAM...         the mathematics of it
+       implicit lesson [N]             the same in order, for a first course
        implicit import PICTURE.png     print the program that drew a picture
        implicit completions SHELL      for bash, zsh, fish, ...; man: the manual
 
@@ -361,6 +365,10 @@ mod tests {
         EvalArgs::command().debug_assert();
         ImportArgs::command().debug_assert();
         CompletionsArgs::command().debug_assert();
+        teaching::ExplainArgs::command().debug_assert();
+        teaching::RayArgs::command().debug_assert();
+        teaching::CompareArgs::command().debug_assert();
+        teaching::LessonArgs::command().debug_assert();
     }
 
     #[test]

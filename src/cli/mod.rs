@@ -5,6 +5,7 @@
 //! - [`args`]: what was typed; [`values`]: one value of an option; [`dashes`]: programs that start with a minus;
 //!   [`mend`]: numbers that are written in another way; [`shell`]: commands as they are typed.
 //! - [`render`], [`eval`], [`check`], [`import`], [`completions`], [`greeting`]: the commands.
+//! - [`explain`], [`ray`], [`compare`], [`lesson`]: the commands that teach; [`pages`]: what they print.
 //! - [`programs`]: program texts from arguments, files and standard input; [`files`]: what they include.
 //! - [`destination`]: where a picture goes; [`terminal`]: pictures in the terminal.
 //! - [`output`]: files that appear whole or not at all; [`signals`]: what an interruption leaves behind.
@@ -15,19 +16,24 @@ pub mod args;
 pub mod check;
 pub mod clock;
 pub mod completions;
+pub mod compare;
 pub mod complaint;
 pub mod console;
 pub mod dashes;
 pub mod destination;
 pub mod eval;
+pub mod explain;
 pub mod fault;
 pub mod files;
 pub mod greeting;
 pub mod import;
+pub mod lesson;
 pub mod mend;
 pub mod output;
+pub mod pages;
 pub mod programs;
 pub mod progress;
+pub mod ray;
 pub mod render;
 pub mod shell;
 pub mod signals;
@@ -40,11 +46,10 @@ pub use complaint::{Complaint, Status};
 use std::ffi::OsString;
 
 /// Commands, as first arguments.
-const COMMANDS: [&str; 4] = ["check", "eval", "import", "completions"];
+const COMMANDS: [&str; 8] = ["check", "eval", "explain", "ray", "compare", "lesson", "import", "completions"];
 
 /// Commands that have a name and are not built yet.
-const LATER: [&str; 11] =
-    ["explain", "ray", "compare", "lesson", "gallery", "serve", "mesh", "animate", "plan", "work", "merge"];
+const LATER: [&str; 10] = ["ray", "compare", "lesson", "gallery", "serve", "mesh", "animate", "plan", "work", "merge"];
 
 /// Runs the command that the arguments name; the first is the program's own name.
 ///
@@ -55,6 +60,10 @@ pub fn run(argv: Vec<OsString>) -> Result<(), Complaint> {
         None if argv.len() < 2 => greeting::run(),
         Some("check") => check::run(read(&argv[1..])?),
         Some("eval") => eval::run(read(&argv[1..])?),
+        Some("explain") => explain::run(read(&argv[1..])?),
+        Some("ray") => ray::run(read(&argv[1..])?),
+        Some("compare") => compare::run(read(&argv[1..])?),
+        Some("lesson") => lesson::run(read(&argv[1..])?),
         Some("import") => import::run(&read(&argv[1..])?),
         Some("completions") => completions::run(&read(&argv[1..])?),
         Some(name) if LATER.contains(&name) => Err(Complaint::usage(format!(

@@ -206,7 +206,8 @@ pub fn simd() -> Simd {
     if std::env::var_os("IMPLICIT_SIMD").is_some_and(|value| value == "off") { Simd::Portable } else { Simd::best() }
 }
 
-fn refused(refusal: Refusal, program: &Program) -> Complaint {
+/// What a refusal says, and its exit status.
+pub fn refused(refusal: Refusal, program: &Program) -> Complaint {
     match refusal {
         Refusal::Program(diagnostics) => Complaint::diagnostics(&diagnostics, &program.sources),
         Refusal::NothingToSee(message) => Complaint::program(message),

@@ -3,6 +3,7 @@
 //! In: the words behind an option. Out: plain values, or what is wrong with them and how they are written. Separate
 //! from the list of options because the lines of standard input are read by the same rules.
 
+use super::args::teaching::Steps;
 use super::args::{BallArg, BoxArg, OrbitArg, Place};
 use crate::num::rational::Rational;
 use crate::render::Mode;
@@ -10,6 +11,9 @@ use crate::session::plan::LATER_MODES;
 
 /// The most threads that are started, whatever is asked for.
 pub const MAX_THREADS: usize = 1024;
+
+/// The most steps that are compared: a sheet of more columns is not read.
+const MAX_STEPS: usize = 8;
 
 /// A value is shown in messages up to this many characters.
 const LONGEST_SHOWN: usize = 60;
@@ -92,6 +96,33 @@ pub fn on_line<const N: usize>(text: &str) -> Result<Place<N>, String> {
         (Ok(values), _) => Ok(Place::Here(values)),
         (Err(_), Some(mended)) if mended.split(',').count() == N => Err(count_needed(N) + ": write " + &mended),
         (Err(why), _) => Err(why),
+    }
+}
+
+/// A pixel, counted from the left and from the top, from 0.
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn pixel(text: &str) -> Result<[u32; 2], String> {
+    let parts: Vec<Option<u32>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    match parts[..] {
+        [Some(i), Some(j)] => Ok([i, j]),
+        _ => {
+            Err("a pixel is two whole numbers with a comma between them, from the left and from the top, as in 400,300"
+                .into())
+        }
+    }
+}
+
+/// Steps, each > 0, with commas between them.
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn steps(text: &str) -> Result<Steps, String> {
+    let list = text.split(',').map(positive).collect::<Result<Vec<f64>, String>>()?;
+    match list.len() {
+        1..=MAX_STEPS => Ok(Steps(list)),
+        _ => Err(format!("at most {MAX_STEPS} steps are compared")),
     }
 }
 

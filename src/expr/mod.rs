@@ -20,7 +20,7 @@ pub mod equation;
 #[cfg(test)]
 mod estimate;
 #[cfg(test)]
-mod formula;
+pub(crate) mod formula;
 pub mod graph;
 pub mod lower;
 pub mod nest;

@@ -1,7 +1,7 @@
 //! The rays of a picture, as a whole: what lets many of them be settled at once.
 //!
 //! In: an eye with its frame and its pixels. Out: where the rays of a square of pixels are between two depths, as affine
-//! forms of (across, down, along). Separate from [`Ray`] because these know what rays have in common.
+//! forms of (across, down, along). Separate from [`super::Ray`] because these know what rays have in common.
 
 use super::bundle::Bundle;
 use super::hit::Ray;

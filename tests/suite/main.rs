@@ -19,6 +19,7 @@ mod mistakes;
 mod npy;
 mod passes;
 mod pictures;
+mod teaching;
 mod terminal;
 mod tidy;
 mod tidy_scan;
