@@ -5,6 +5,7 @@
 //! colour: this is mathematics, and a library of its own.
 //!
 //! - [`tracer`]: the one door: rays in, hits out, by either method.
+//! - [`memory`]: what a tracer keeps for one sheet between batches.
 //! - [`sheet`]: a formula made ready: the sheets of its zero set and their kernels.
 //! - [`hit`]: what is known about a ray.
 //! - [`region`]: the clip, and the part of a ray inside it.
@@ -22,6 +23,7 @@ mod careful;
 pub mod hit;
 mod isolate;
 mod march;
+mod memory;
 mod refine;
 pub mod region;
 pub mod screen;

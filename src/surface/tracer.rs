@@ -6,18 +6,17 @@
 use super::bundle::{Bundle, Spans};
 use super::careful::{Careful, End};
 use super::hit::{Counts, Hit, Outcome, Ray};
-use super::isolate::{CellFiles, Found, Open, Pool, Rays};
+use super::isolate::{Found, Open, Pool, Rays};
 use super::march::Marcher;
+use super::memory::{Memory, Registers};
 use super::refine::{Batch, Files, Refined, points_at};
-use super::screen::{Rectangle, Screen, place_slabs};
-use super::sheet::{Kernels, POINTS, Points, Sheet, Surface};
+use super::screen::{Rectangle, Screen};
+use super::sheet::{POINTS, Surface};
 use super::stream::{LENGTHENED, Root, SHORTENED, Stream, Tools};
-use super::tile::{FormFiles, Rest, Settled, Walk};
-use crate::closure::pieces::Scratch;
-use crate::closure::specialise::{Choices, Key, SLABS, Slabs};
+use super::tile::{Rest, Settled, Walk};
+use crate::closure::specialise::Choices;
 use crate::num::level::Simd;
 use glam::DVec3;
-use std::collections::HashMap;
 
 /// How roots are looked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,84 +71,6 @@ struct View<'a> {
     screen: &'a Screen,
     rectangle: Rectangle,
     bundle: &'a Bundle,
-}
-
-/// Register files of some kernels.
-struct Registers {
-    cells: CellFiles,
-    forms: FormFiles,
-    point: Vec<Points>,
-    gradient: Vec<Points>,
-}
-
-impl Registers {
-    fn new(kernels: &Kernels) -> Self {
-        Registers {
-            cells: CellFiles { value: kernels.value.registers(), slope: kernels.slope.registers() },
-            forms: FormFiles { value: kernels.value_form.registers(), slope: kernels.slope_form.registers() },
-            point: kernels.point.registers(),
-            gradient: kernels.gradient.registers(),
-        }
-    }
-}
-
-/// A sheet's formula without what does not matter in some part of space.
-struct Special {
-    kernels: Kernels,
-    registers: Registers,
-}
-
-/// What a tracer keeps for one sheet.
-struct Memory {
-    registers: Registers,
-    scalar: Scratch,
-    sides: Scratch,
-    /// The forms of what can be left out, and the formulas without it met so far.
-    slabs: Vec<Slabs>,
-    specials: HashMap<Key, Special>,
-    /// The one at hand; its registers are in `registers` meanwhile.
-    special: Option<(Key, Special)>,
-}
-
-/// So many formulas are kept; then all are made anew.
-const MOST_SPECIALS: usize = 2048;
-
-impl Memory {
-    fn new(sheet: &Sheet) -> Self {
-        Memory {
-            registers: Registers::new(&sheet.kernels),
-            scalar: sheet.scalar.scratch(),
-            sides: sheet.sides.scratch(),
-            slabs: sheet.choices.as_ref().map_or_else(Vec::new, Choices::registers),
-            specials: HashMap::new(),
-            special: None,
-        }
-    }
-
-    /// Takes up the formula that is enough between two depths of a rectangle.
-    fn specialise(&mut self, sheet: &Sheet, (a, end): (f64, f64), view: View, simd: Simd) {
-        let Some(choices) = &sheet.choices else { return };
-        place_slabs(simd, view.screen, view.rectangle, (a, end), &mut self.slabs);
-        let Some(key) = choices.live(&mut self.slabs, SLABS) else { return };
-        if self.specials.len() >= MOST_SPECIALS {
-            self.specials.clear();
-        }
-        let mut special = self.specials.remove(&key).unwrap_or_else(|| {
-            let (mut graph, g) = choices.pruned(&key);
-            let kernels = Kernels::new(&mut graph, g, simd);
-            Special { registers: Registers::new(&kernels), kernels }
-        });
-        std::mem::swap(&mut self.registers, &mut special.registers);
-        self.special = Some((key, special));
-    }
-
-    /// Puts it away again.
-    fn generalise(&mut self) {
-        if let Some((key, mut special)) = self.special.take() {
-            std::mem::swap(&mut self.registers, &mut special.registers);
-            self.specials.insert(key, special);
-        }
-    }
 }
 
 /// The batch at hand.
@@ -311,7 +232,7 @@ impl<'a> Tracer<'a> {
         // Squares may look a little beyond their rays' ends.
         let (first, last) = (first * 0.9, if last < FAR { last + 0.1 * (last - first) } else { last });
         let memory = &mut self.files[index][k];
-        memory.specialise(sheet, (first, last), View { screen, rectangle, bundle }, simd);
+        memory.specialise(sheet, (first, last), (screen, rectangle), simd);
         let Memory { registers, special, .. } = memory;
         let kernels = special.as_ref().map_or(&sheet.kernels, |(_, special)| &special.kernels);
         let range = |square: Rectangle| depths(bundle, spans, square.numbers(rectangle.width));
