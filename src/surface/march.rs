@@ -126,6 +126,10 @@ impl March<'_> {
                 b = t;
             }
             let newton = t - f / gradient.dot(self.ray.direction);
+            // A step within the rounding of t leads nowhere, inside the bracket or out of it.
+            if (newton - t).abs() <= 4.0 * f64::EPSILON * t {
+                break;
+            }
             let next = if newton > a && newton < b { newton } else { 0.5 * (a + b) };
             if (next - t).abs() <= 2.0 * f64::EPSILON * t {
                 break;

@@ -80,7 +80,8 @@ fn newton(g: Slope, a: f64, b: f64) -> Vec<Iterate> {
     for _ in 0..MOST_STEPS {
         let (value, slope) = g(t);
         let aim = t - value / slope;
-        let is_end = value == 0.0 || a == b;
+        // A step within the rounding of t leads nowhere, inside the bracket or out of it.
+        let is_end = value == 0.0 || a == b || (aim - t).abs() <= 4.0 * f64::EPSILON * t.abs();
         if (value < 0.0) == (front < 0.0) {
             a = t;
         } else {
