@@ -49,6 +49,11 @@ pub(crate) struct Memory {
     pub(crate) special: Option<(Key, Special)>,
 }
 
+/// The kernels of the formula at hand: the special one, or the sheet's own.
+pub(crate) fn kernels_of<'a>(sheet: &'a Sheet, special: &'a Option<(Key, Special)>) -> &'a Kernels {
+    special.as_ref().map_or(&sheet.kernels, |(_, special)| &special.kernels)
+}
+
 /// So many formulas are kept; then all are made anew.
 const MOST_SPECIALS: usize = 2048;
 

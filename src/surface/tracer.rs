@@ -8,7 +8,7 @@ use super::careful::{Careful, End};
 use super::hit::{Counts, Hit, Outcome, Ray};
 use super::isolate::{Found, Open, Pool, Rays};
 use super::march::Marcher;
-use super::memory::{Memory, Registers};
+use super::memory::{Memory, Registers, kernels_of};
 use super::refine::{Batch, Files, Refined, points_at};
 use super::screen::{Rectangle, Screen};
 use super::sheet::{POINTS, Surface};
@@ -179,7 +179,7 @@ impl<'a> Tracer<'a> {
         while !self.open.is_empty() {
             let memory = &mut self.files[index][k];
             let Memory { registers, special, .. } = memory;
-            let kernels = special.as_ref().map_or(&surface.sheets[k].kernels, |(_, special)| &special.kernels);
+            let kernels = kernels_of(&surface.sheets[k], special);
             let rays = Rays { list: job.rays, size: surface.size, simd: surface.simd };
             self.pool.run(kernels, &mut registers.cells, &rays, &mut self.open, &mut self.found);
             self.counts.cells += std::mem::take(&mut self.found.cells);
@@ -234,7 +234,7 @@ impl<'a> Tracer<'a> {
         let memory = &mut self.files[index][k];
         memory.specialise(sheet, (first, last), (screen, rectangle), simd);
         let Memory { registers, special, .. } = memory;
-        let kernels = special.as_ref().map_or(&sheet.kernels, |(_, special)| &special.kernels);
+        let kernels = kernels_of(sheet, special);
         let range = |square: Rectangle| depths(bundle, spans, square.numbers(rectangle.width));
         walk.run(kernels, &mut registers.forms, (screen, rectangle, simd), ((first, last), range), settled);
         self.counts.cells += settled.cells;
@@ -281,7 +281,7 @@ impl<'a> Tracer<'a> {
             let Memory { registers, special, .. } = &mut self.files[index][k];
             let Registers { point, gradient, cells, .. } = registers;
             let mut files = Files { point, gradient, cells: &mut cells.value };
-            let kernels = special.as_ref().map_or(&surface.sheets[k].kernels, |(_, special)| &special.kernels);
+            let kernels = kernels_of(&surface.sheets[k], special);
             self.refined.clear();
             let rays = Rays { list: job.rays, size: surface.size, simd: surface.simd };
             let work = self.batch.run(kernels, &mut files, &rays, chunk, &mut self.refined);
@@ -362,7 +362,7 @@ impl<'a> Tracer<'a> {
     fn normals(&mut self, surface: &Surface, index: usize, k: usize, job: &mut Job) {
         let bare = std::mem::take(&mut job.bare);
         let Memory { registers, special, .. } = &mut self.files[index][k];
-        let kernels = special.as_ref().map_or(&surface.sheets[k].kernels, |(_, special)| &special.kernels);
+        let kernels = kernels_of(&surface.sheets[k], special);
         let registers = &mut registers.gradient;
         for chunk in bare.chunks(POINTS) {
             let at = |i: usize| &chunk[i.min(chunk.len() - 1)];
