@@ -17,7 +17,7 @@ fn main() {
     for row in 0..24 {
         let z = 4.0 - f64::from(row) / 3.0;
         let from = |column: i32| DVec3::new(f64::from(column) / 6.0 - 4.0, -9.0, z);
-        let rays: Vec<Ray> = (0..48).map(|c| Ray { origin: from(c), direction: DVec3::Y }).collect();
+        let rays: Vec<Ray> = (0..48).map(|c| Ray::new(from(c), DVec3::Y)).collect();
         tracer.trace(&rays, &mut hits);
         let shade = |t: f64| if t.is_finite() { b"@%#*+=-:."[((t - 5.0) * 1.12) as usize % 9] as char } else { ' ' };
         println!("{}", hits.iter().map(|hit| shade(hit.t)).collect::<String>());

@@ -68,7 +68,7 @@
 //! let sphere = Surface::new(&mut program.lowered.graph, f, Kind::Equation, &clip, Simd::best());
 //! let surfaces = [sphere];
 //! let mut tracer = Tracer::new(&surfaces, Method::Faithful);
-//! let ray = Ray { origin: DVec3::new(0.0, 0.0, 5.0), direction: -DVec3::Z };
+//! let ray = Ray::new(DVec3::new(0.0, 0.0, 5.0), -DVec3::Z);
 //! let mut hits = Vec::new();
 //! tracer.trace(&[ray], &mut hits);
 //! assert!(hits[0].outcome == Outcome::Hit && hits[0].proven);

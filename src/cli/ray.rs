@@ -43,7 +43,7 @@ pub fn build(args: &RayArgs, program: &mut Program) -> Result<(Page, Value), Com
             "--direction must have a length that is neither 0 nor too large or small to be computed with",
         ));
     }
-    let ray = Ray { origin, direction: direction / length };
+    let ray = Ray::new(origin, direction / length);
     let (t0, t1) = span(&plan, &ray).ok_or_else(|| {
         Complaint::program("the ray does not meet the region that is seen; --box or --ball say another one")
     })?;

@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn every_outcome_has_its_colour() {
-        let ray = Ray { origin: DVec3::ZERO, direction: DVec3::X };
+        let ray = Ray::new(DVec3::ZERO, DVec3::X);
         let mut colours = Vec::new();
         for outcome in [Outcome::Miss, Outcome::Hit, Outcome::Touch, Outcome::Undecided] {
             for proven in [true, false] {

@@ -93,10 +93,10 @@ impl Camera {
         let sy = (1.0 - down / h * 2.0) * self.half_height;
         let offset = self.right * sx + self.up * sy;
         if self.is_parallel {
-            return Ray { origin: self.eye + offset, direction: self.forward };
+            return Ray::new(self.eye + offset, self.forward);
         }
         let direction = self.forward + offset;
-        Ray { origin: self.eye, direction: direction / direction.length() }
+        Ray::new(self.eye, direction / direction.length())
     }
 
     /// The rays through the centres of all pixels of such a picture, as a whole.

@@ -44,10 +44,8 @@ impl Bundle {
         self.rays.clear();
         let [ox, oy, oz] = &self.origin;
         let [dx, dy, dz] = &self.direction;
-        self.rays.extend(
-            (0..count)
-                .map(|i| Ray { origin: DVec3::new(ox[i], oy[i], oz[i]), direction: DVec3::new(dx[i], dy[i], dz[i]) }),
-        );
+        self.rays
+            .extend((0..count).map(|i| Ray::new(DVec3::new(ox[i], oy[i], oz[i]), DVec3::new(dx[i], dy[i], dz[i]))));
     }
 }
 

@@ -2,16 +2,23 @@
 
 use glam::DVec3;
 
-/// Half a line: the points `origin + t·direction`, t ≥ 0.
+/// Half a line, or a piece of it: the points `origin + t·direction`, 0 ≤ t ≤ end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Where it starts.
     pub origin: DVec3,
     /// Where it goes; of length 1, so that t is a distance.
     pub direction: DVec3,
+    /// How far it is looked at; +∞ for all of it.
+    pub end: f64,
 }
 
 impl Ray {
+    /// All of half a line; `direction` is of length 1.
+    pub fn new(origin: DVec3, direction: DVec3) -> Self {
+        Ray { origin, direction, end: f64::INFINITY }
+    }
+
     /// The point at distance t.
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + self.direction * t
@@ -40,12 +47,16 @@ pub struct Hit {
     pub proven: bool,
     /// Distance to the root; +∞ for a miss.
     pub t: f64,
-    /// A distance in front of the root, within `width` of it: other rays start from there.
+    /// A distance in front of the root, within `width` of it: rays that stay on this side start from there.
     pub near: f64,
+    /// A distance behind the root, within `width` of it: rays that pass through start from there.
+    pub far: f64,
     /// How far the true root can be from `t`.
     pub width: f64,
     /// Which surface.
     pub surface: u32,
+    /// Which of the surface's sheets: the factor of its equation that is 0 here.
+    pub sheet: u32,
     /// Unit gradient of the equation as rewritten, turned against the ray; NaN where there is none.
     pub normal: DVec3,
     /// Whether the gradient itself pointed along the ray (the ray met the side where f is negative),
@@ -62,8 +73,10 @@ impl Hit {
         proven: false,
         t: f64::INFINITY,
         near: f64::INFINITY,
+        far: f64::INFINITY,
         width: 0.0,
         surface: 0,
+        sheet: 0,
         normal: DVec3::NAN,
         flipped: false,
         cost: 0,

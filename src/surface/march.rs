@@ -39,7 +39,7 @@ impl Marcher {
         for (index, surface) in surfaces.iter().enumerate() {
             for (ray, hit) in rays.iter().zip(hits.iter_mut()) {
                 let Some((t0, t1)) = surface.span(ray) else { continue };
-                let (t0, t1) = (t0.max(skipped * surface.size), t1.min(hit.t));
+                let (t0, t1) = (t0.max(skipped * surface.size), t1.min(hit.t).min(ray.end));
                 let mut march = March { surface, ray, files: &mut self.files[index], counts };
                 if let Some((a, b)) = march.bracket(t0, t1, step) {
                     *hit = march.close_in(a, b, index as u32);
@@ -143,6 +143,7 @@ impl March<'_> {
             outcome: Outcome::Hit,
             t,
             near: t - width,
+            far: t + width,
             width,
             surface,
             normal: if flipped { -normal } else { normal },

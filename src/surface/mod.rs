@@ -13,6 +13,7 @@
 //! - [`bundle`]: the rays of a rectangle of it, a number of each in an array.
 //! - [`tile`]: the fast way of the faithful method: squares of pixels settled at once.
 //! - [`stream`]: the roots of those squares, certified in batches.
+//! - [`start`]: where rays start that leave a surface.
 //! - [`march`]: the textbook method: steps, a change of sign, Newton.
 //! - [`isolate`]: the faithful method: intervals that prove where no root is, batches of rays at once.
 //! - [`refine`]: Newton's method inside a bracket, and the certificate of its result.
@@ -28,6 +29,7 @@ mod refine;
 pub mod region;
 pub mod screen;
 pub mod sheet;
+pub mod start;
 mod stream;
 mod tile;
 pub mod tracer;
@@ -36,4 +38,5 @@ pub use hit::{Counts, Hit, Outcome, Ray};
 pub use region::{Clip, Shape};
 pub use screen::{Rectangle, Screen};
 pub use sheet::{Kind, Surface};
+pub use start::Side;
 pub use tracer::{Method, Tracer};

@@ -12,6 +12,7 @@ use super::memory::{Memory, Registers, kernels_of};
 use super::refine::{Batch, Files, Refined, points_at};
 use super::screen::{Rectangle, Screen};
 use super::sheet::{POINTS, Surface};
+use super::start::{self, Side};
 use super::stream::{LENGTHENED, Root, SHORTENED, Stream, Tools};
 use super::tile::{Rest, Settled, Walk};
 use crate::closure::specialise::Choices;
@@ -82,6 +83,7 @@ struct Job<'a> {
     /// Hits whose normal is still to be found, with the distance to take it at.
     bare: Vec<(u32, f64)>,
     surface: u32,
+    sheet: u32,
 }
 
 impl<'a> Tracer<'a> {
@@ -143,9 +145,24 @@ impl<'a> Tracer<'a> {
         std::mem::swap(rays, &mut self.bundle.rays);
     }
 
-    /// The same for rays that start beside a surface, at [`Hit::near`]: nothing is skipped.
+    /// The same for rays that start beside a surface, at [`Hit::near`] or a point of [`Tracer::starts`]: nothing is skipped.
     pub fn trace_from_surface(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
         self.run(rays, 0.0, None, hits);
+    }
+
+    /// Points from which rays can leave what was hit, on the side asked for: beside the surface by as little as proves
+    /// on which side they are. `points` is replaced, in the order of the departures, each of which hit something.
+    pub fn starts(&mut self, departures: &[(Ray, Hit, Side)], points: &mut Vec<DVec3>) {
+        points.clear();
+        points.resize(departures.len(), DVec3::ZERO);
+        for (index, surface) in self.surfaces.iter().enumerate() {
+            for (k, sheet) in surface.sheets.iter().enumerate() {
+                let here = departures.iter().enumerate().map(|(number, &(ray, hit, side))| (number, ray, hit, side));
+                let here = here.filter(|(_, _, hit, _)| (hit.surface, hit.sheet) == (index as u32, k as u32));
+                let cells = &mut self.files[index][k].registers.cells.value;
+                self.counts.cells += start::starts(sheet, cells, here, points);
+            }
+        }
     }
 
     fn run(&mut self, rays: &[Ray], skipped: f64, view: Option<View>, hits: &mut Vec<Hit>) {
@@ -156,10 +173,12 @@ impl<'a> Tracer<'a> {
             self.marcher.run(self.surfaces, step, skipped, rays, hits, &mut self.counts);
             return;
         }
-        let mut job = Job { rays, hits, doubt: vec![f64::INFINITY; rays.len()], bare: Vec::new(), surface: 0 };
+        let mut job =
+            Job { rays, hits, doubt: vec![f64::INFINITY; rays.len()], bare: Vec::new(), surface: 0, sheet: 0 };
         for (index, surface) in self.surfaces.iter().enumerate() {
             job.surface = index as u32;
             for k in 0..surface.sheets.len() {
+                job.sheet = k as u32;
                 self.sheet(index, k, skipped, view, &mut job);
             }
         }
@@ -202,7 +221,7 @@ impl<'a> Tracer<'a> {
     fn open_rays(&mut self, surface: &Surface, skipped: f64, job: &Job) {
         for (number, (ray, hit)) in job.rays.iter().zip(&*job.hits).enumerate() {
             let Some((t0, t1)) = surface.span(ray) else { continue };
-            let (a, end) = (t0.max(skipped * surface.size), t1.min(hit.t).min(FAR));
+            let (a, end) = (t0.max(skipped * surface.size), t1.min(hit.t).min(FAR).min(ray.end));
             if a <= end {
                 self.open.push(Open { ray: number as u32, a, end, step: end - a, slabs: 0 });
             }
@@ -411,7 +430,8 @@ impl Job<'_> {
     fn settle(&mut self, open: Open, outcome: Outcome, t: f64, width: f64) {
         let hit = &mut self.hits[open.ray as usize];
         let cost = hit.cost + open.slabs;
-        *hit = Hit { outcome, t, width, near: (t - width).max(0.0), surface: self.surface, cost, ..Hit::NONE };
+        let (near, far) = ((t - width).max(0.0), t + width);
+        *hit = Hit { outcome, t, width, near, far, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
     }
 
     /// The normal of a hit from the gradient, turned against the ray.

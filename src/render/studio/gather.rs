@@ -47,12 +47,12 @@ pub fn gather<T: Trace>(
         if n.dot(lights.key.direction) > -lights.key.sine {
             let toward = on_disc(pattern).map(|place| lights.key.toward(place));
             let risen = toward.into_iter().filter(|d| d.dot(n) > 0.0);
-            scratch.rays.extend(risen.map(|direction| Ray { origin, direction }));
+            scratch.rays.extend(risen.map(|direction| Ray::new(origin, direction)));
         }
         scratch.key_counts.push((scratch.rays.len() - before) as u8);
         // A point of the unit sphere around the tip of n, seen from the foot of n, is as likely as its cosine.
         let toward = on_sphere(pattern).map(|s| (n + s).try_normalize().unwrap_or(n));
-        scratch.rays.extend(toward.map(|direction| Ray { origin, direction }));
+        scratch.rays.extend(toward.map(|direction| Ray::new(origin, direction)));
     }
     tracer.trace_from_surface(&scratch.rays, &mut scratch.hits);
     light.clear();

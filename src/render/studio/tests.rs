@@ -48,7 +48,7 @@ fn scene() -> Scene {
 fn light_at_origin(normal: DVec3, known: impl FnMut(&Ray) -> Option<f64>) -> Light {
     let scene = scene();
     let lights = Studio::around(&scene.camera);
-    let ray = Ray { origin: DVec3::Z, direction: DVec3::NEG_Z };
+    let ray = Ray::new(DVec3::Z, DVec3::NEG_Z);
     let samples: Vec<Sample> = (0..16).map(|k| (k & 3, k >> 2, 0)).collect();
     let (rays, hits) = (vec![ray; 16], vec![hit(&ray, 1.0, normal); 16]);
     let (mut scratch, mut light) = (Scratch::default(), Vec::new());

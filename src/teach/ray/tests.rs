@@ -9,7 +9,7 @@ fn story(program: &str, origin: DVec3, direction: DVec3, reach: f64, step: f64) 
     let (mut graph, f) = typed(program);
     let length = direction.length();
     let clip = Clip::shape(Shape::Ball { center: DVec3::ZERO, radius: reach });
-    let ray = Ray { origin, direction: direction / length };
+    let ray = Ray::new(origin, direction / length);
     let span = clip.span(&ray).map(|(a, b)| (a / length, b / length)).unwrap();
     let surfaces = [Surface::new(&mut graph, f, Kind::Equation, &clip, Simd::best())];
     let mut hits = Vec::new();
