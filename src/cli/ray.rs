@@ -6,7 +6,7 @@ use super::args::teaching::RayArgs;
 use super::complaint::Complaint;
 use super::{pages, programs, render};
 use crate::expr::lower::Kind;
-use crate::scene::light;
+use crate::scene::studio;
 use crate::session::{Plan, Program};
 use crate::surface::{Hit, Method, Outcome, Ray, Tracer};
 use crate::teach::page::Page;
@@ -55,7 +55,7 @@ pub fn build(args: &RayArgs, program: &mut Program) -> Result<(Page, Value), Com
     let hit = traced(&plan, ray);
     let surface = &program.lowered.surfaces[hit.surface as usize];
     let (f, is_solid) = (surface.f, surface.kind == Kind::Solid);
-    let light = light::shoulder(&plan.scene.camera);
+    let light = studio::shoulder(&plan.scene.camera);
     let question = Question { origin, direction, span, step, ior: args.ior, light, is_solid };
     let story = Story::tell(&mut program.lowered.graph, f, question, verdict(&hit, length));
     let mut page = Page::new(texts.get("ray.title"));

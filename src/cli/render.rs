@@ -171,6 +171,8 @@ fn wishes(args: &RenderArgs) -> Wishes {
         size: args.size,
         mode: args.mode,
         samples: args.samples.and_then(|samples| u32::try_from(samples).ok()),
+        bounces: args.bounces.and_then(|bounces| u32::try_from(bounces).ok()),
+        seed: args.seed,
         view: View {
             eye: args.eye.map(DVec3::from),
             orbit,

@@ -3,7 +3,7 @@
 //! In: a hit. Out: colour · max(0, cos), linear, without ambient light; the first shading one writes.
 
 use super::integrator::{facing_normal, pixel, side};
-use crate::scene::{Scene, light};
+use crate::scene::{Scene, studio};
 use crate::surface::{Hit, Ray};
 
 /// What is seen where there is no surface: dark, so that shadows and nothing differ.
@@ -14,6 +14,6 @@ pub fn colour(scene: &Scene, ray: &Ray, hit: &Hit) -> [f32; 3] {
     if !hit.is_drawn() {
         return NOTHING;
     }
-    let cos = facing_normal(ray, hit).dot(light::shoulder(&scene.camera));
+    let cos = facing_normal(ray, hit).dot(studio::shoulder(&scene.camera));
     pixel(side(scene, hit) * cos.max(0.0))
 }

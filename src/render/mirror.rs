@@ -4,7 +4,7 @@
 
 use super::cosine::NOTHING;
 use super::integrator::{facing_normal, pixel, side};
-use crate::scene::{Scene, light};
+use crate::scene::{Scene, studio};
 use crate::surface::{Hit, Ray};
 
 /// The colour of one ray.
@@ -15,5 +15,5 @@ pub fn colour(scene: &Scene, ray: &Ray, hit: &Hit) -> [f32; 3] {
     let n = facing_normal(ray, hit);
     let d = ray.direction;
     let reflected = d - n * (2.0 * d.dot(n));
-    pixel(side(scene, hit) * reflected.dot(light::shoulder(&scene.camera)).max(0.0))
+    pixel(side(scene, hit) * reflected.dot(studio::shoulder(&scene.camera)).max(0.0))
 }

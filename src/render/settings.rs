@@ -60,6 +60,9 @@ impl Mode {
     }
 }
 
+/// The most scattering events of a path where nobody says.
+pub const DEFAULT_BOUNCES: u32 = 8;
+
 /// What to draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
@@ -69,6 +72,10 @@ pub struct Settings {
     pub mode: Mode,
     /// The most samples a pixel; 1: the ray through its centre alone.
     pub samples: u32,
+    /// The most scattering events of a path, in the modes that follow light.
+    pub bounces: u32,
+    /// Which of many equally good sets of random numbers is used there.
+    pub seed: u64,
     /// How many threads draw; at least 1.
     pub threads: usize,
     /// Whether distances are kept.
@@ -99,6 +106,8 @@ impl Default for Settings {
             size: Size::default(),
             mode,
             samples,
+            bounces: DEFAULT_BOUNCES,
+            seed: 0,
             threads: 1,
             keep_depth: false,
             keep_normals: false,

@@ -15,7 +15,7 @@ use super::trace::Trace;
 use super::watch::Watch;
 use crate::film::Layer;
 use crate::scene::Scene;
-use crate::scene::light::Studio;
+use crate::scene::studio::Studio;
 use crate::surface::{Hit, Ray, Rectangle};
 use std::ops::Range;
 use std::sync::Mutex;

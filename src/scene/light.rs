@@ -1,109 +1,84 @@
-//! The lights a scene has when nobody gave it any.
+//! Lights and surroundings, as the program says.
 //!
-//! In: the camera. Out: directions towards far lights, and the studio: a key light with the size of a lamp and a sky.
-//! They follow the camera, so that what is seen is lit.
+//! In: nothing, it is plain data. Out: where light comes from: radiance in W/(m² sr), linear red, green, blue. How lights are sampled is
+//! `render`'s business.
 
-use super::camera::Camera;
+use super::daylight::Daylight;
 use glam::DVec3;
+use std::f64::consts::PI;
 
-/// Towards the light over the camera's left shoulder, of the modes that teach.
-pub fn shoulder(camera: &Camera) -> DVec3 {
-    (camera.right * -0.4 + camera.up * 0.5 - camera.forward).normalize()
-}
-
-/// The sine of half the angle under which the key light is seen: a lamp a step away, whose shadows have soft edges.
-const KEY_SINE: f64 = 0.13;
-
-/// What the key light sends onto a surface that faces it, over π; a little warm.
-const KEY_STRENGTH: DVec3 = DVec3::new(1.22, 1.14, 1.02);
-
-/// The sky's radiance at the height of the eye: the mean of its two ends.
-const SKY_MIDDLE: DVec3 = DVec3::new(0.31, 0.33, 0.365);
-
-/// What the sky gains from there to the top, and loses to the bottom: cool above, warm below.
-const SKY_SLOPE: DVec3 = DVec3::new(0.14, 0.155, 0.18);
-
-/// The lights of mode `studio`.
+/// A light that is no surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Studio {
-    /// From the upper left, far enough aside that forms turn into shade.
-    pub key: Key,
-    /// All around.
-    pub sky: Sky,
+pub enum Light {
+    /// A point that radiates evenly into all directions.
+    Point {
+        /// Where.
+        at: DVec3,
+        /// Power in watts.
+        power: DVec3,
+    },
+    /// A ball of even radiance. It scatters nothing, and hides what is behind it.
+    Ball {
+        /// Its centre.
+        center: DVec3,
+        /// Its radius, > 0.
+        radius: f64,
+        /// Power in watts.
+        power: DVec3,
+    },
+    /// A light so far away that its rays are parallel, or fill a small cone.
+    Sun {
+        /// Towards its middle, of length 1.
+        toward: DVec3,
+        /// What it gives to a surface that faces it, in W/m².
+        irradiance: DVec3,
+        /// Half the angle under which it is seen, in radians; 0: parallel rays.
+        half_angle: f64,
+    },
 }
 
-impl Studio {
-    /// The lights as they stand around this camera. In the three-quarter view from above that is taken when nobody
-    /// says, the sky's top is nearly the world's.
-    pub fn around(camera: &Camera) -> Self {
-        let direction = (camera.right * -0.75 + camera.up * 0.80 - camera.forward * 0.55).normalize();
-        let across = direction.cross(camera.up).normalize();
-        Studio {
-            key: Key { direction, across, along: across.cross(direction), sine: KEY_SINE, strength: KEY_STRENGTH },
-            sky: Sky {
-                top: (camera.up * 0.91 - camera.forward * 0.41).normalize(),
-                middle: SKY_MIDDLE,
-                slope: SKY_SLOPE,
-            },
+/// What is seen where there is nothing else.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Sky {
+    /// The same radiance from everywhere.
+    Uniform(DVec3),
+    /// By the height above the horizon.
+    Gradient {
+        /// The radiance straight above.
+        top: DVec3,
+        /// The radiance of the horizon; between it and the top linear in the sine of the elevation.
+        horizon: DVec3,
+        /// The radiance from below.
+        ground: DVec3,
+    },
+    /// Clear daylight.
+    Daylight(Daylight),
+}
+
+impl Light {
+    /// The intensity of a point in W/sr, or the radiance of a ball or a sun of some size; a Lambertian ball of power P radiates
+    /// P/π from each of its 4πr².
+    pub fn strength(&self) -> DVec3 {
+        match *self {
+            Light::Point { power, .. } => power / (4.0 * PI),
+            Light::Ball { power, radius, .. } => power / (4.0 * PI * PI * radius * radius),
+            Light::Sun { irradiance, half_angle, .. } if half_angle > 0.0 => {
+                let sine = crate::num::func::sin_cos::<crate::num::level::Portable>(half_angle).0;
+                irradiance / (PI * sine * sine)
+            }
+            Light::Sun { irradiance, .. } => irradiance,
         }
     }
-}
-
-/// A far disc of even radiance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Key {
-    /// Towards its middle.
-    pub direction: DVec3,
-    across: DVec3,
-    along: DVec3,
-    /// The sine of half the angle under which it is seen.
-    pub sine: f64,
-    /// Its irradiance over π on a surface that faces it: what a white matte surface would show.
-    pub strength: DVec3,
-}
-
-impl Key {
-    /// The direction of the point (u, v) of the unit disc, even in solid angle where the points are even in the disc.
-    pub fn toward(&self, [u, v]: [f64; 2]) -> DVec3 {
-        // Shirley, Wang and Zimmerman 1996, "Monte Carlo techniques for direct lighting calculations", section 3.3:
-        // a cap of solid angle grows with 1 − cosθ as a disc grows with its radius squared.
-        let squared = (u * u + v * v).min(1.0);
-        let cap = 1.0 - (1.0 - self.sine * self.sine).sqrt();
-        let cosine = 1.0 - squared * cap;
-        let stretch = (cap * (1.0 + cosine)).sqrt();
-        (self.direction * cosine + (self.across * u + self.along * v) * stretch).normalize()
-    }
-
-    /// The share of [`Key::strength`] that arrives on an open surface whose normal has this cosine to the light's middle:
-    /// the cosine above the surface's horizon; a parabola while the light rises, which meets it with the same slope.
-    pub fn share(&self, cosine: f64) -> f64 {
-        match () {
-            () if cosine >= self.sine => cosine,
-            () if cosine <= -self.sine => 0.0,
-            () => (cosine + self.sine) * (cosine + self.sine) / (4.0 * self.sine),
-        }
-    }
-}
-
-/// A sky whose radiance rises evenly with the height.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sky {
-    /// Towards its brightest point.
-    pub top: DVec3,
-    /// The radiance halfway.
-    pub middle: DVec3,
-    /// The radiance gained from halfway to the top.
-    pub slope: DVec3,
 }
 
 impl Sky {
-    /// The radiance from direction d.
+    /// The radiance from direction d, of length 1.
     pub fn radiance(&self, d: DVec3) -> DVec3 {
-        self.middle + self.slope * self.top.dot(d)
-    }
-
-    /// The irradiance over π on an open surface of normal n: the mean of a direction, weighted by its cosine, is ⅔n.
-    pub fn irradiance(&self, n: DVec3) -> DVec3 {
-        self.middle + self.slope * (self.top.dot(n) * (2.0 / 3.0))
+        match self {
+            Sky::Uniform(radiance) => *radiance,
+            Sky::Gradient { top, horizon, .. } if d.z >= 0.0 => horizon.lerp(*top, d.z),
+            Sky::Gradient { ground, .. } => *ground,
+            Sky::Daylight(daylight) => daylight.radiance(d),
+        }
     }
 }

@@ -10,21 +10,30 @@
 //! - [`colour`]: sRGB as linear light; the palette.
 //! - [`fit`]: where the eye stands so that what there is to see fills the picture.
 //! - [`framing`]: the ball around what there is to see.
-//! - [`light`]: the lights of a scene without lights.
+//! - [`light`]: lights and surroundings; [`daylight`]: the clear sky.
+//! - [`material`]: what surfaces are made of; [`texture`]: colours that change from point to point.
+//! - [`studio`]: the lights of a scene without lights.
 //! - [`view`]: what was asked of the camera, and the camera that it means.
 
 pub mod angle;
 pub mod camera;
 pub mod cells;
 pub mod colour;
+pub mod daylight;
 pub mod fit;
 pub mod framing;
 pub mod light;
+pub mod material;
+pub mod studio;
+pub mod texture;
 pub mod view;
 
 pub use camera::{Camera, CameraError, Projection};
 pub use colour::Sides;
 pub use framing::Framing;
+pub use light::{Light, Sky};
+pub use material::Material;
+pub use texture::Texture;
 pub use view::{Orbit, View};
 
 use crate::surface::Shape;
@@ -41,6 +50,12 @@ pub struct Scene {
     pub sides: Vec<Sides>,
     /// The shapes that cut each surface off, in the surfaces' order.
     pub clips: Vec<Vec<Shape>>,
+    /// What each surface is made of, in the surfaces' order.
+    pub materials: Vec<Material>,
+    /// The lights that are no surfaces.
+    pub lights: Vec<Light>,
+    /// What is seen where there is nothing; `None`: darkness.
+    pub sky: Option<Sky>,
     /// The middle of what is seen.
     pub center: DVec3,
     /// How far from there it reaches.

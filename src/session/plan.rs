@@ -11,10 +11,12 @@ use crate::expr::lower::{Clip as WrittenClip, ClipShape, Color, Kind as WrittenK
 use crate::film::Size;
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
+use crate::render::settings::DEFAULT_BOUNCES;
 use crate::render::{Drawing, Failure, Mode, Passes, Settings, Watch};
 use crate::scene::cells::Cell;
 use crate::scene::framing::{self, MAX_POWER};
-use crate::scene::{Framing, Scene, Sides, View, colour};
+use crate::scene::material::DEFAULT_ALBEDO;
+use crate::scene::{Framing, Material, Scene, Sides, Sky, View, colour};
 use crate::surface::{self, Clip, Shape, Surface, Tracer};
 use glam::DVec3;
 
@@ -47,6 +49,10 @@ pub struct Wishes {
     pub mode: Option<Mode>,
     /// The most samples a pixel.
     pub samples: Option<u32>,
+    /// The most scattering events of a path.
+    pub bounces: Option<u32>,
+    /// Which set of random numbers.
+    pub seed: Option<u64>,
     /// The camera.
     pub view: View,
     /// What is seen of everything: all of these; replaces the program's.
@@ -217,9 +223,11 @@ fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
         (None, None) => Mode::default(),
     };
     let samples = wishes.samples.or(block.and_then(|render| render.samples)).unwrap_or_else(|| mode.default_samples());
+    let bounces = wishes.bounces.or(block.and_then(|render| render.bounces)).unwrap_or(DEFAULT_BOUNCES);
+    let seed = wishes.seed.or(block.and_then(|render| render.seed).map(u64::from)).unwrap_or(0);
     let threads = wishes.threads.max(1);
     let Wishes { keep_depth, keep_normals, passes, .. } = *wishes;
-    Ok(Settings { size, mode, samples, threads, keep_depth, keep_normals, passes })
+    Ok(Settings { size, mode, samples, bounces, seed, threads, keep_depth, keep_normals, passes })
 }
 
 fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {
@@ -286,7 +294,18 @@ fn scene(
     let sides =
         objects.iter().enumerate().map(|(index, object)| sides(object, index, count, &smallest(region))).collect();
     let clips = objects.iter().map(|object| object.clip.shapes.clone()).collect();
-    Ok(Scene { camera, look_at, sides, clips, center, radius })
+    let materials = objects.iter().map(material).collect();
+    let (lights, sky) = (Vec::new(), Some(Sky::Uniform(DVec3::ONE)));
+    Ok(Scene { camera, look_at, sides, clips, materials, lights, sky, center, radius })
+}
+
+/// What a surface is made of.
+fn material(object: &Object) -> Material {
+    Material::matte(match object.formula.color {
+        Some(Color::Srgb(bytes)) => colour::from_bytes(bytes),
+        Some(Color::Linear(rgb)) => rgb.into(),
+        None => DVec3::splat(DEFAULT_ALBEDO),
+    })
 }
 
 /// The colours of a surface: its front is its outside, which is where f < 0 if f is so all around the region.

@@ -8,7 +8,7 @@ use super::directions::{KEY_RAYS, SKY_RAYS, on_disc, on_sphere, pattern};
 use super::glimpse::Light;
 use crate::render::integrator::{facing_normal, side};
 use crate::scene::Scene;
-use crate::scene::light::Studio;
+use crate::scene::studio::Studio;
 use crate::surface::{Hit, Ray};
 use glam::DVec3;
 

@@ -3,7 +3,7 @@
 //! In: colour, normal, direction to the eye, the light that arrives. Out: the light that leaves towards the eye.
 
 use super::glimpse::Light;
-use crate::scene::light::Studio;
+use crate::scene::studio::Studio;
 use glam::DVec3;
 
 /// Light from the eye, so that no shade is flat, over π.

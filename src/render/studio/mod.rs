@@ -15,7 +15,7 @@ pub mod glimpse;
 pub mod lacquer;
 
 use crate::scene::Scene;
-use crate::scene::light::Studio;
+use crate::scene::studio::Studio;
 use crate::surface::Ray;
 use glam::DVec3;
 use glimpse::{Glimpse, Light};

@@ -8,8 +8,8 @@ use super::glimpse::{Glimpse, Light, Remembered};
 use super::lacquer::Lacquer;
 use crate::film::{Layer, Size};
 use crate::render::Trace;
-use crate::scene::light::Studio;
-use crate::scene::{Camera, Projection, Scene, Sides};
+use crate::scene::studio::Studio;
+use crate::scene::{Camera, Material, Projection, Scene, Sides};
 use crate::surface::{Counts, Hit, Outcome, Ray, Shape};
 use glam::{DVec3, Vec3};
 
@@ -41,7 +41,9 @@ fn hit(_: &Ray, t: f64, normal: DVec3) -> Hit {
 fn scene() -> Scene {
     let camera = Camera::new(DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO, Projection::Parallel { height: 2.0 }).unwrap();
     let sides = vec![Sides::by_default(0, 1)];
-    Scene { camera, look_at: DVec3::ZERO, sides, clips: vec![Vec::new()], center: DVec3::ZERO, radius: 1.0 }
+    let materials = vec![Material::matte(DVec3::splat(0.8))];
+    let (look_at, center, clips) = (DVec3::ZERO, DVec3::ZERO, vec![Vec::new()]);
+    Scene { camera, look_at, sides, clips, materials, lights: Vec::new(), sky: None, center, radius: 1.0 }
 }
 
 /// The mean light over the sixteen patterns at the origin, of a surface of this normal among what the tracer knows.

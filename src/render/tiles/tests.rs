@@ -3,7 +3,7 @@
 use super::*;
 use crate::film::Size;
 use crate::render::{Mode, Silent};
-use crate::scene::{Camera, Projection, Sides};
+use crate::scene::{Camera, Material, Projection, Sides};
 use crate::surface::Ray;
 use glam::DVec3;
 
@@ -44,6 +44,9 @@ fn scene() -> Scene {
         look_at: DVec3::ZERO,
         sides: vec![Sides::by_default(0, 1)],
         clips: vec![Vec::new()],
+        materials: vec![Material::matte(DVec3::splat(0.8))],
+        lights: Vec::new(),
+        sky: None,
         center: DVec3::ZERO,
         radius: 1.0,
     }
