@@ -11,6 +11,7 @@
 //! - [`worker`]: one thread with its tracer, and what it does with a tile.
 //! - [`sampling`]: where in a pixel the rays go, and when they are enough.
 //! - [`integrator`]: from hits to light, by mode: [`cosine`], [`mirror`], [`studio`], [`data`].
+//! - [`transport`]: whole paths of light.
 
 pub mod canvas;
 pub mod cosine;
@@ -23,6 +24,7 @@ pub mod settings;
 pub mod studio;
 pub mod tiles;
 pub mod trace;
+pub mod transport;
 pub mod watch;
 pub mod worker;
 
