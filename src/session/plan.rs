@@ -294,9 +294,15 @@ fn scene(
     let sides =
         objects.iter().enumerate().map(|(index, object)| sides(object, index, count, &smallest(region))).collect();
     let clips = objects.iter().map(|object| object.clip.shapes.clone()).collect();
+    let whole = smallest(region);
+    let bounds = objects.iter().map(|object| {
+        let shape = object.clip.shapes.iter().copied().fold(whole, |a, b| if b.size() < a.size() { b } else { a });
+        (shape.center(), shape.size())
+    });
+    let bounds = bounds.collect();
     let materials = objects.iter().map(material).collect();
     let (lights, sky) = (Vec::new(), Some(Sky::Uniform(DVec3::ONE)));
-    Ok(Scene { camera, look_at, sides, clips, materials, lights, sky, center, radius })
+    Ok(Scene { camera, look_at, sides, clips, bounds, materials, lights, sky, center, radius })
 }
 
 /// What a surface is made of.
