@@ -137,7 +137,9 @@ mod tests {
                 seen += sign * x * x;
             }
             assert!((seen / signs - moment / area).abs() < 2e-3, "{name}: {} {}", seen / signs, moment / area);
-            assert!((table.weight(0.2, 0.0) / (filter.value(0.2) * filter.value(0.0)) - 1.0 / (area * area)).abs() < 1e-3);
+            assert!(
+                (table.weight(0.2, 0.0) / (filter.value(0.2) * filter.value(0.0)) - 1.0 / (area * area)).abs() < 1e-3
+            );
         }
     }
 

@@ -11,6 +11,7 @@ use crate::expr::lower::{Clip as WrittenClip, ClipShape, Color, Kind as WrittenK
 use crate::film::Size;
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
+use crate::render::filter::Filter;
 use crate::render::settings::DEFAULT_BOUNCES;
 use crate::render::{Drawing, Failure, Mode, Passes, Settings, Watch};
 use crate::scene::cells::Cell;
@@ -27,8 +28,7 @@ const MARCH_SHARE: f64 = 1.0 / 256.0;
 const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
 
 /// Modes that the design has and this version does not.
-pub const LATER_MODES: [&str; 8] =
-    ["whitted", "angle", "end", "bounces", "path", "light", "bidirectional", "curvature"];
+pub const LATER_MODES: [&str; 7] = ["whitted", "angle", "end", "bounces", "light", "bidirectional", "curvature"];
 
 /// How roots are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -227,7 +227,8 @@ fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
     let seed = wishes.seed.or(block.and_then(|render| render.seed).map(u64::from)).unwrap_or(0);
     let threads = wishes.threads.max(1);
     let Wishes { keep_depth, keep_normals, passes, .. } = *wishes;
-    Ok(Settings { size, mode, samples, bounces, seed, threads, keep_depth, keep_normals, passes })
+    let filter = Filter::default();
+    Ok(Settings { size, mode, samples, bounces, seed, filter, threads, keep_depth, keep_normals, passes })
 }
 
 fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {

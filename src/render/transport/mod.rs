@@ -9,12 +9,15 @@
 //! - [`world`]: what flights meet: surfaces, balls of light, nothing.
 //! - [`vertex`]: where a path scatters; [`bsdf`]: how.
 //! - [`path`]: paths from the camera.
+//! - [`estimate`]: samples of pixels, by whichever of them.
 
+pub mod bsdf;
+pub mod estimate;
 pub mod lights;
 pub mod media;
 pub mod path;
-pub mod vertex;
 pub mod sky;
 pub mod sobol;
+pub mod vertex;
 pub mod warp;
 pub mod world;

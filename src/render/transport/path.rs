@@ -157,13 +157,7 @@ fn arrive<T: Trace>(world: &mut World<T>, shadows: &[Shadow], rays: &mut [Flight
 }
 
 /// Goes on from every vertex as its surface scatters.
-fn scatter(
-    paths: &[Path],
-    found: &[Vertex],
-    flights: &[Flight],
-    first: u32,
-    event: u32,
-) -> (Vec<Path>, Vec<Flight>) {
+fn scatter(paths: &[Path], found: &[Vertex], flights: &[Flight], first: u32, event: u32) -> (Vec<Path>, Vec<Flight>) {
     let (mut on, mut flying) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
     for vertex in found {
         let (path, numbers) = (&paths[vertex.path], flights[vertex.path].numbers);
