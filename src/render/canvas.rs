@@ -22,6 +22,8 @@ pub struct Canvas {
     squares: Option<Layer<[f32; 3]>>,
     /// By tile, the pixels that get more samples.
     edges: Vec<Vec<Edge>>,
+    /// The samples of the modes that follow light, added up, and their signs.
+    light: Option<Layer<[f64; 4]>>,
 }
 
 /// A pixel that gets more samples than one.
@@ -54,6 +56,7 @@ impl Canvas {
             memory: (settings.mode == Mode::Studio).then(|| Layer::filled(size, Remembered::NONE)),
             squares: None,
             edges: Vec::new(),
+            light: settings.mode.is_transport().then(|| Layer::filled(size, [0.0; 4])),
         }
     }
 
@@ -127,6 +130,26 @@ impl Canvas {
             }
         }
         self.drawing
+    }
+
+    /// The sums of a tile's pixels.
+    pub fn light(&self, tile: Tile) -> Vec<[f64; 4]> {
+        self.light.as_ref().map_or_else(Vec::new, |light| tile.pixels().map(|(i, j)| light.at(i, j)).collect())
+    }
+
+    /// Puts them back with more in them.
+    pub fn put_light(&mut self, tile: Tile, sums: &[[f64; 4]]) {
+        if let Some(light) = &mut self.light {
+            tile.pixels().zip(sums).for_each(|((i, j), &sum)| light.set(i, j, sum));
+        }
+    }
+
+    /// Puts the means of all samples into the picture.
+    pub fn show_light(&mut self) {
+        let Some(light) = &self.light else { return };
+        for (pixel, &[r, g, b, signs]) in self.drawing.picture.values.iter_mut().zip(&light.values) {
+            *pixel = [r, g, b].map(|sum| (sum / signs) as f32);
+        }
     }
 
     /// Adds what a thread did to the report.

@@ -8,12 +8,13 @@ use crate::scene::Scene;
 use crate::surface::{Hit, Ray};
 use glam::DVec3;
 
-/// The colour of every ray, in `colours`, which is emptied first; none in mode `studio`, which looks at neighbours too.
+/// The colour of every ray, in `colours`, which is emptied first; none in mode `studio`, which looks at
+/// neighbours too, and in those that follow light.
 pub fn shade(mode: Mode, scene: &Scene, rays: &[Ray], hits: &[Hit], colours: &mut Vec<[f32; 3]>) {
     colours.clear();
     let rays = rays.iter().zip(hits);
     match mode {
-        Mode::Studio => {}
+        Mode::Studio | Mode::Path => {}
         Mode::Cosine => colours.extend(rays.map(|(ray, hit)| cosine::colour(scene, ray, hit))),
         Mode::Mirror => colours.extend(rays.map(|(ray, hit)| mirror::colour(scene, ray, hit))),
         Mode::Normal => colours.extend(rays.map(|(_, hit)| data::normal(hit))),

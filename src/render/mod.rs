@@ -9,12 +9,15 @@
 //! - [`tiles`]: the picture in squares and passes; [`canvas`]: what all threads draw on.
 //! - [`knowledge`]: what the centre ray of a pixel knows, in four bytes, and where neighbours differ.
 //! - [`worker`]: one thread with its tracer, and what it does with a tile.
+//! - [`filter`]: how much a place counts in a pixel.
 //! - [`sampling`]: where in a pixel the rays go, and when they are enough.
 //! - [`integrator`]: from hits to light, by mode: [`cosine`], [`mirror`], [`studio`], [`data`].
+//! - [`transport`]: whole paths of light.
 
 pub mod canvas;
 pub mod cosine;
 pub mod data;
+pub mod filter;
 pub mod integrator;
 pub mod knowledge;
 pub mod mirror;
@@ -23,6 +26,7 @@ pub mod settings;
 pub mod studio;
 pub mod tiles;
 pub mod trace;
+pub mod transport;
 pub mod watch;
 pub mod worker;
 

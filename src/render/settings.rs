@@ -2,6 +2,7 @@
 //!
 //! In: words from a command line or a program. Out: plain settings.
 
+use super::filter::Filter;
 use crate::film::{Size, Tone};
 
 /// What the colour of a pixel says.
@@ -22,11 +23,13 @@ pub enum Mode {
     Cost,
     /// What is proven of the pixel.
     Proof,
+    /// Transport of light, by paths from the camera.
+    Path,
 }
 
 impl Mode {
     /// All modes with the words that name them.
-    pub const ALL: [(&'static str, Mode); 7] = [
+    pub const ALL: [(&'static str, Mode); 8] = [
         ("studio", Mode::Studio),
         ("cosine", Mode::Cosine),
         ("mirror", Mode::Mirror),
@@ -34,6 +37,7 @@ impl Mode {
         ("depth", Mode::Depth),
         ("cost", Mode::Cost),
         ("proof", Mode::Proof),
+        ("path", Mode::Path),
     ];
 
     /// The mode of a name.
@@ -44,7 +48,7 @@ impl Mode {
     /// How the mode's values are shown on a screen.
     pub fn tone(self) -> Tone {
         match self {
-            Mode::Studio => Tone::Neutral,
+            Mode::Studio | Mode::Path => Tone::Neutral,
             Mode::Cosine | Mode::Mirror => Tone::Linear,
             Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof => Tone::Data,
         }
@@ -56,7 +60,13 @@ impl Mode {
         match self {
             Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal => 16,
             Mode::Depth | Mode::Cost | Mode::Proof => 1,
+            Mode::Path => 64,
         }
+    }
+
+    /// Whether its pictures are means over paths of light: every pixel has all samples.
+    pub fn is_transport(self) -> bool {
+        matches!(self, Mode::Path)
     }
 }
 
@@ -76,6 +86,8 @@ pub struct Settings {
     pub bounces: u32,
     /// Which of many equally good sets of random numbers is used there.
     pub seed: u64,
+    /// How much a place counts in a pixel.
+    pub filter: Filter,
     /// How many threads draw; at least 1.
     pub threads: usize,
     /// Whether distances are kept.
@@ -108,6 +120,7 @@ impl Default for Settings {
             samples,
             bounces: DEFAULT_BOUNCES,
             seed: 0,
+            filter: Filter::default(),
             threads: 1,
             keep_depth: false,
             keep_normals: false,

@@ -9,6 +9,7 @@ use super::canvas::{Canvas, lock};
 use super::sampling::FIRST_SAMPLES;
 use super::settings::{Mode, Passes, Settings};
 use super::trace::Trace;
+use super::transport::estimate::Illumination;
 use super::watch::Watch;
 use super::worker::Worker;
 use crate::film::{Layer, Size};
@@ -108,7 +109,9 @@ pub fn draw<T: Trace>(
     watch: &dyn Watch,
 ) -> Result<Drawing, Failure> {
     let canvas = Mutex::new(Canvas::new(settings));
-    let job = Job { scene, settings, make_tracer, watch, canvas: &canvas, total: pieces(settings) };
+    let illumination = settings.mode.is_transport().then(|| Illumination::new(scene, settings.filter));
+    let illumination = illumination.as_ref();
+    let job = Job { scene, settings, make_tracer, watch, canvas: &canvas, illumination, total: pieces(settings) };
     let end = job.all_passes();
     let mut drawing = canvas.into_inner().expect("a thread that panics ends the drawing").into_drawing();
     match end {
@@ -196,15 +199,30 @@ fn sample_passes(settings: &Settings) -> Vec<Vec<u32>> {
     steps.into_iter().map(|n| vec![n]).collect()
 }
 
+/// The samples a pixel at the ends of the passes of the modes that follow light.
+fn light_passes(settings: &Settings) -> Vec<u32> {
+    let all = settings.samples.max(1);
+    if settings.passes == Passes::Few {
+        return vec![all];
+    }
+    let mut ends: Vec<u32> = std::iter::successors(Some(1u32), |n| n.checked_mul(2)).take_while(|&n| n < all).collect();
+    ends.push(all);
+    ends
+}
+
 /// How many tiles all passes have together.
 fn pieces(settings: &Settings) -> usize {
+    let count = tiles(settings.size, 1).len();
+    if settings.mode.is_transport() {
+        return count * (1 + light_passes(settings).len());
+    }
     let squares = coarse(settings).iter().map(|&square| tiles(settings.size, square).len()).sum::<usize>();
     let is_lit_later = settings.mode == Mode::Studio;
-    squares + tiles(settings.size, 1).len() * (1 + usize::from(is_lit_later) + sample_passes(settings).len())
+    squares + count * (1 + usize::from(is_lit_later) + sample_passes(settings).len())
 }
 
 fn coarse(settings: &Settings) -> &'static [u32] {
-    if settings.passes == Passes::CoarseFirst { &SQUARES } else { &[] }
+    if settings.passes == Passes::CoarseFirst && !settings.mode.is_transport() { &SQUARES } else { &[] }
 }
 
 impl Report {
@@ -232,6 +250,8 @@ pub struct Job<'a, T> {
     pub watch: &'a dyn Watch,
     /// Where it is drawn.
     pub canvas: &'a Mutex<Canvas>,
+    /// Where light comes from, in the modes that follow it.
+    pub illumination: Option<&'a Illumination>,
     total: usize,
 }
 
@@ -254,7 +274,20 @@ impl<'a, T: Trace> Job<'a, T> {
             lock(self.canvas).remember(square);
         }
         let tiles = tiles(self.settings.size, 1);
-        pass(&tiles, &|worker, tile| worker.draw_centres(tile), self.settings.mode != Mode::Studio)?;
+        let is_whole = self.settings.mode != Mode::Studio && !self.settings.mode.is_transport();
+        pass(&tiles, &|worker, tile| worker.draw_centres(tile), is_whole)?;
+        if self.settings.mode.is_transport() {
+            let mut start = 0;
+            for end in light_passes(self.settings) {
+                pass(&tiles, &|worker, tile| worker.shine(tile, start..end), true)?;
+                lock(self.canvas).show_light();
+                if end < self.settings.samples {
+                    self.passed(Pass::Samples(end));
+                }
+                start = end;
+            }
+            return Ok(());
+        }
         let memory = lock(self.canvas).memory.take();
         if let Some(memory) = &memory {
             pass(&tiles, &|worker, tile| worker.light(tile, memory), true)?;

@@ -12,6 +12,7 @@ use super::studio::glimpse::{Glimpse, Light, Remembered, point};
 use super::studio::{self, backdrop};
 use super::tiles::{Job, Tile};
 use super::trace::Trace;
+use super::transport::estimate::Estimator;
 use super::watch::Watch;
 use crate::film::Layer;
 use crate::scene::Scene;
@@ -22,6 +23,9 @@ use std::sync::Mutex;
 
 /// About so many rays are traced at once.
 const BATCH: usize = 1024;
+
+/// About so many paths are followed at once: as many as keep the tracer's lanes full to the last bounce.
+const SHINING: usize = 4096;
 
 /// One thread.
 pub struct Worker<'a, T> {
@@ -37,6 +41,7 @@ pub struct Worker<'a, T> {
     scratch: gather::Scratch,
     gathered: Vec<Light>,
     window: Window,
+    estimator: Option<Estimator<'a>>,
     colours: Vec<[f32; 3]>,
     trace_seconds: f64,
     started: f64,
@@ -60,6 +65,7 @@ impl<'a, T: Trace> Worker<'a, T> {
             scratch: gather::Scratch::default(),
             gathered: Vec::new(),
             window: Window::default(),
+            estimator: job.illumination.map(|light| Estimator::new(job.scene, job.settings, light)),
             colours: Vec::new(),
             trace_seconds: job.watch.seconds() - started,
             started,
@@ -150,6 +156,33 @@ impl<'a, T: Trace> Worker<'a, T> {
         }
     }
 
+    /// Follows light for these samples of every pixel of the tile.
+    pub fn shine(&mut self, tile: Tile, samples: Range<u32>) {
+        let Some(mut estimator) = self.estimator.take() else { return };
+        let pixels: Vec<(u32, u32)> = tile.pixels().collect();
+        let mut sums = lock(self.canvas).light(tile);
+        let mut estimates = Vec::new();
+        let rows = (SHINING / samples.len().max(1)).max(1);
+        let started = self.watch.seconds();
+        for (pixels, sums) in pixels.chunks(rows).zip(sums.chunks_mut(rows)) {
+            for samples in chunks(samples.clone(), SHINING) {
+                let each = pixels.iter().flat_map(|&pixel| samples.clone().map(move |sample| (pixel, sample)));
+                let each: Vec<((u32, u32), u32)> = each.collect();
+                estimator.estimate(&mut self.tracer, &each, &mut estimates);
+                for (sum, estimates) in sums.iter_mut().zip(estimates.chunks(samples.len())) {
+                    for estimate in estimates {
+                        let light = estimate.light * estimate.sign;
+                        let more = [light.x, light.y, light.z, estimate.sign];
+                        sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+                    }
+                }
+            }
+        }
+        self.trace_seconds += self.watch.seconds() - started;
+        lock(self.canvas).put_light(tile, &sums);
+        self.estimator = Some(estimator);
+    }
+
     /// Lets the pixels of the tile see what their neighbours remember.
     fn look_around(&mut self, tile: Tile, memory: &Layer<Remembered>) {
         let Rectangle { left, top, width, height } = tile.rectangle();
@@ -231,6 +264,12 @@ impl<'a, T: Trace> Worker<'a, T> {
         });
         self.rays.extend(rays);
     }
+}
+
+/// A range in pieces of at most so many.
+fn chunks(range: Range<u32>, most: usize) -> impl Iterator<Item = Range<u32>> {
+    let end = range.end;
+    range.step_by(most).map(move |start| start..end.min(start + most as u32))
 }
 
 /// Where a sample is in the picture, in pixels from its upper left corner.

@@ -114,6 +114,11 @@ impl Camera {
         }
     }
 
+    /// Whether all rays have one direction.
+    pub fn is_parallel(&self) -> bool {
+        self.is_parallel
+    }
+
     /// How wide a pixel is in the world at distance t on its ray, in a picture of `height` pixels.
     pub fn footprint(&self, height: u32, t: f64) -> f64 {
         let scale = if self.is_parallel { 1.0 } else { t };

@@ -51,6 +51,8 @@ pub struct Scene {
     pub sides: Vec<Sides>,
     /// The shapes that cut each surface off, in the surfaces' order.
     pub clips: Vec<Vec<Shape>>,
+    /// A ball around what is seen of each surface, in the surfaces' order: its middle and its radius.
+    pub bounds: Vec<(DVec3, f64)>,
     /// What each surface is made of, in the surfaces' order.
     pub materials: Vec<Material>,
     /// The lights that are no surfaces.

@@ -12,6 +12,7 @@ use crate::expr::lower::{Clip as WrittenClip, ClipShape, Kind as WrittenKind, Pa
 use crate::film::Size;
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
+use crate::render::filter::Filter;
 use crate::render::settings::DEFAULT_BOUNCES;
 use crate::render::{Drawing, Failure, Mode, Passes, Settings, Watch};
 use crate::scene::cells::Cell;
@@ -27,8 +28,7 @@ const MARCH_SHARE: f64 = 1.0 / 256.0;
 const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
 
 /// Modes that the design has and this version does not.
-pub const LATER_MODES: [&str; 8] =
-    ["whitted", "angle", "end", "bounces", "path", "light", "bidirectional", "curvature"];
+pub const LATER_MODES: [&str; 7] = ["whitted", "angle", "end", "bounces", "light", "bidirectional", "curvature"];
 
 /// How roots are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -230,7 +230,8 @@ fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
     let seed = wishes.seed.or(block.and_then(|render| render.seed).map(u64::from)).unwrap_or(0);
     let threads = wishes.threads.max(1);
     let Wishes { keep_depth, keep_normals, passes, .. } = *wishes;
-    Ok(Settings { size, mode, samples, bounces, seed, threads, keep_depth, keep_normals, passes })
+    let filter = Filter::default();
+    Ok(Settings { size, mode, samples, bounces, seed, filter, threads, keep_depth, keep_normals, passes })
 }
 
 fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {
@@ -297,8 +298,14 @@ fn scene(
     let sides =
         objects.iter().enumerate().map(|(index, object)| sides(object, index, count, &smallest(region))).collect();
     let clips = objects.iter().map(|object| object.clip.shapes.clone()).collect();
+    let whole = smallest(region);
+    let bounds = objects.iter().map(|object| {
+        let shape = object.clip.shapes.iter().copied().fold(whole, |a, b| if b.size() < a.size() { b } else { a });
+        (shape.center(), shape.size())
+    });
+    let bounds = bounds.collect();
     let (materials, lights, sky) = (Vec::new(), Vec::new(), None);
-    Ok(Scene { camera, look_at, sides, clips, materials, lights, sky, center, radius })
+    Ok(Scene { camera, look_at, sides, clips, bounds, materials, lights, sky, center, radius })
 }
 
 /// The colours of a surface: its front is its outside, which is where f < 0 if f is so all around the region.

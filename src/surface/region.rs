@@ -49,6 +49,14 @@ impl Shape {
         }
     }
 
+    /// Whether a point is inside or on the boundary.
+    pub fn contains(&self, point: DVec3) -> bool {
+        match *self {
+            Shape::Box { min, max } => point.cmpge(min).all() && point.cmple(max).all(),
+            Shape::Ball { center, radius } => point.distance(center) <= radius,
+        }
+    }
+
     /// The distances between which the ray is inside, t ≥ 0; `None` if it never is.
     pub fn span(&self, ray: &Ray) -> Option<(f64, f64)> {
         let (t0, t1) = shape_span(self, ray.origin.to_array(), ray.direction.to_array());

@@ -165,6 +165,33 @@ impl<'a> Tracer<'a> {
         }
     }
 
+    /// Whether a ray meets a surface on the side where its equation as rewritten, the product of its sheets, is negative.
+    pub fn comes_from_negative(&mut self, ray: &Ray, hit: &Hit) -> bool {
+        if self.surfaces[hit.surface as usize].sheets.len() == 1 {
+            return hit.flipped;
+        }
+        self.is_negative(hit.surface, ray.at(hit.near)).unwrap_or(hit.flipped)
+    }
+
+    /// Whether that product is negative at a point; `None` if it is neither negative nor positive.
+    pub fn is_negative(&mut self, surface: u32, point: DVec3) -> Option<bool> {
+        let mut is_negative = false;
+        for (sheet, memory) in self.surfaces[surface as usize].sheets.iter().zip(&mut self.files[surface as usize]) {
+            let registers = &mut memory.registers.point;
+            for axis in 0..3 {
+                registers[axis].0 = [point[axis]; POINTS];
+            }
+            sheet.kernels.point.run(registers);
+            self.counts.points += 1;
+            let g = sheet.kernels.point.output(registers, 0).0[0];
+            if g.is_nan() || g == 0.0 {
+                return None;
+            }
+            is_negative ^= g < 0.0;
+        }
+        Some(is_negative)
+    }
+
     fn run(&mut self, rays: &[Ray], skipped: f64, view: Option<View>, hits: &mut Vec<Hit>) {
         hits.clear();
         hits.resize(rays.len(), Hit::NONE);

@@ -43,7 +43,8 @@ fn scene() -> Scene {
     let sides = vec![Sides::by_default(0, 1)];
     let materials = vec![Material::matte(DVec3::splat(0.8))];
     let (look_at, center, clips) = (DVec3::ZERO, DVec3::ZERO, vec![Vec::new()]);
-    Scene { camera, look_at, sides, clips, materials, lights: Vec::new(), sky: None, center, radius: 1.0 }
+    let bounds = vec![(DVec3::ZERO, 1.0)];
+    Scene { camera, look_at, sides, clips, bounds, materials, lights: Vec::new(), sky: None, center, radius: 1.0 }
 }
 
 /// The mean light over the sixteen patterns at the origin, of a surface of this normal among what the tracer knows.

@@ -44,6 +44,7 @@ fn scene() -> Scene {
         look_at: DVec3::ZERO,
         sides: vec![Sides::by_default(0, 1)],
         clips: vec![Vec::new()],
+        bounds: vec![(DVec3::ZERO, 1.0)],
         materials: vec![Material::matte(DVec3::splat(0.8))],
         lights: Vec::new(),
         sky: None,

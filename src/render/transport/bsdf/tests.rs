@@ -1,0 +1,1 @@
+//! Scattering against integrals and closed forms.

@@ -1,0 +1,23 @@
+//! Transport of light: what the modes that follow whole paths are made of.
+//!
+//! In: a scene, someone who traces rays, the numbers of a pixel's samples. Out: estimates of the light that arrives. Nothing is
+//! displaced by an epsilon: rays leave surfaces by [`crate::surface::Tracer::starts`].
+//!
+//! - [`sobol`]: the numbers that choose; [`warp`]: directions and places from them.
+//! - [`media`]: what a ray is inside of.
+//! - [`lights`]: where light comes from, and how it is sought; [`sky`]: the surroundings as a table.
+//! - [`world`]: what flights meet: surfaces, balls of light, nothing.
+//! - [`vertex`]: where a path scatters; [`bsdf`]: how.
+//! - [`path`]: paths from the camera.
+//! - [`estimate`]: samples of pixels, by whichever of them.
+
+pub mod bsdf;
+pub mod estimate;
+pub mod lights;
+pub mod media;
+pub mod path;
+pub mod sky;
+pub mod sobol;
+pub mod vertex;
+pub mod warp;
+pub mod world;

@@ -1,0 +1,197 @@
+//! Mode `path`: light found by paths from the camera.
+//!
+//! In: rays from the eye. Out: an unbiased estimate of the radiance of each, of at most so many scattering events. At every event light
+//! is sought in two ways, by a ray towards an emitter and by going on as the surface scatters; each way counts by how likely it was to
+//! find what it found (Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section 9.2, power heuristic).
+
+use super::bsdf::Transport;
+use super::lights::{Emitter, Toward};
+use super::vertex::{Vertex, vertices};
+use super::world::{Flight, From, Met, Numbers, Passing, World};
+use crate::render::trace::Trace;
+use glam::DVec3;
+
+/// Dimensions a scattering event takes.
+const DIMENSIONS: u32 = 4;
+
+/// The first of them: before come the place in the pixel and what else is chosen at the eye.
+const FIRST_DIMENSION: u32 = 2;
+
+/// After so many events a path goes on only with a probability, its throughput's (Arvo and Kirk 1990, "Particle transport and image
+/// synthesis").
+const SURE_EVENTS: u32 = 4;
+
+/// The least probability of going on.
+const LEAST_SURVIVAL: f64 = 0.05;
+
+/// A ray that ends at a place is looked at to just before it: the place is known to a few units of rounding.
+const SHORT_OF_TARGET: f64 = 1.0 - 1e-11;
+
+/// A path on its way.
+#[derive(Clone, Copy, Debug)]
+struct Path {
+    /// Which of the samples.
+    place: usize,
+    throughput: DVec3,
+    /// The density of the last direction; +∞ where no other way finds light: from the eye, and behind a mirror.
+    pdf: f64,
+    /// Where it left the last surface.
+    from: DVec3,
+}
+
+/// A ray towards an emitter.
+struct Shadow {
+    place: usize,
+    /// What arrives if nothing is in the way; for surfaces, of a radiance of 1.
+    light: DVec3,
+    /// The surface that is sought.
+    surface: Option<u32>,
+}
+
+/// The radiance that arrives along each flight, in `light`, which is replaced.
+pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, light: &mut Vec<DVec3>) {
+    light.clear();
+    light.resize(eye.len(), DVec3::ZERO);
+    let mut flights = eye.to_vec();
+    let start = |(place, flight): (usize, &Flight)| Path {
+        place,
+        throughput: DVec3::ONE,
+        pdf: f64::INFINITY,
+        from: flight.ray.origin,
+    };
+    let mut paths: Vec<Path> = eye.iter().enumerate().map(start).collect();
+    let (mut met, mut found) = (Vec::new(), Vec::new());
+    for event in 0..=bounces {
+        let from = if event == 0 { From::Eye } else { From::Elsewhere };
+        world.fly(&mut flights, from, &mut met);
+        for ((path, flight), met) in paths.iter_mut().zip(&flights).zip(&met) {
+            path.throughput *= flight.left;
+            light[path.place] += path.throughput * seen(world, path, flight, met);
+        }
+        vertices(world, &flights, &met, &mut found);
+        for vertex in found.iter().filter(|vertex| vertex.emission != DVec3::ZERO) {
+            let path = &paths[vertex.path];
+            let emitter = world.lights.of_surface(vertex.hit.surface);
+            let other = emitter.map_or(0.0, |k| world.lights.pdf_toward(k, path.from, vertex.ray.direction));
+            light[path.place] += path.throughput * vertex.emission * share(path.pdf, other);
+        }
+        if event == bounces || found.is_empty() {
+            return;
+        }
+        let first = FIRST_DIMENSION + event * DIMENSIONS;
+        seek(world, &paths, &found, &flights, first, light);
+        (paths, flights) = scatter(&paths, &found, &flights, first, event);
+    }
+}
+
+/// The light of balls and of what is far that a flight met.
+fn seen<T: Trace>(world: &World<T>, path: &Path, flight: &Flight, met: &Met) -> DVec3 {
+    let direction = flight.ray.direction;
+    let weighed = |(emitter, radiance): (usize, DVec3)| {
+        radiance * share(path.pdf, world.lights.pdf_toward(emitter, path.from, direction))
+    };
+    match *met {
+        Met::Surface(..) => DVec3::ZERO,
+        Met::Ball(emitter, t) => weighed((emitter, world.lights.ball_radiance(emitter, &flight.ray, t).0)),
+        Met::Nothing => world.lights.far(direction).map(weighed).sum(),
+    }
+}
+
+/// Seeks light at every vertex by a ray towards some emitter.
+fn seek<T: Trace>(
+    world: &mut World<T>,
+    paths: &[Path],
+    found: &[Vertex],
+    flights: &[Flight],
+    first: u32,
+    light: &mut [DVec3],
+) {
+    let (mut shadows, mut rays) = (Vec::new(), Vec::new());
+    for vertex in found.iter().filter(|vertex| !vertex.bsdf.is_specular()) {
+        let (path, numbers) = (&paths[vertex.path], flights[vertex.path].numbers);
+        let sought = world.lights.toward(vertex.point, numbers.at(first), numbers.at(first + 1));
+        let Some(toward) = sought else { continue };
+        let wi = vertex.local(toward.direction);
+        let value = vertex.value(wi, Transport::Radiance);
+        if value == DVec3::ZERO || !value.is_finite() {
+            continue;
+        }
+        let other = if toward.is_delta { 0.0 } else { vertex.bsdf.pdf(vertex.wo, wi) };
+        let (radiance, surface) = sought_light(world, &toward);
+        let weighed = path.throughput * value * radiance * (share(toward.pdf, other) / toward.pdf);
+        shadows.push(Shadow { place: path.place, light: weighed, surface });
+        // A surface that is sought may itself be only partly there: it is met by chance, anything else in between by share.
+        let passing = if surface.is_some() { Passing::ByChance } else { Passing::ByShare };
+        let ray = vertex.leave(wi, toward.direction, toward.distance * SHORT_OF_TARGET, numbers);
+        rays.push(Flight { passing, ..ray });
+    }
+    arrive(world, &shadows, &mut rays, |place, arriving| light[place] += arriving);
+}
+
+/// The radiance of what is sought, or 1 and the surface.
+fn sought_light<T: Trace>(world: &World<T>, toward: &Toward) -> (DVec3, Option<u32>) {
+    match world.lights.list[toward.emitter] {
+        Emitter::Glow { surface, .. } => (DVec3::ONE, Some(surface)),
+        _ => (toward.radiance, None),
+    }
+}
+
+/// Traces rays towards emitters, and hands over what arrives.
+fn arrive<T: Trace>(world: &mut World<T>, shadows: &[Shadow], rays: &mut [Flight], mut take: impl FnMut(usize, DVec3)) {
+    let mut met = Vec::new();
+    world.fly(rays, From::Elsewhere, &mut met);
+    let mut glowing = Vec::new();
+    for (k, (shadow, met)) in shadows.iter().zip(&met).enumerate() {
+        match (*met, shadow.surface) {
+            (Met::Nothing, None) => take(shadow.place, shadow.light * rays[k].left),
+            (Met::Surface(hit, _), Some(surface)) if hit.surface == surface => glowing.push((k, hit)),
+            _ => {}
+        }
+    }
+    let places: Vec<(u32, DVec3)> = glowing.iter().map(|&(k, hit)| (hit.surface, rays[k].ray.at(hit.t))).collect();
+    let mut matter = Vec::new();
+    world.matter(&places, &mut matter);
+    for (&(k, _), matter) in glowing.iter().zip(&matter) {
+        take(shadows[k].place, shadows[k].light * rays[k].left * matter.emission);
+    }
+}
+
+/// Goes on from every vertex as its surface scatters.
+fn scatter(paths: &[Path], found: &[Vertex], flights: &[Flight], first: u32, event: u32) -> (Vec<Path>, Vec<Flight>) {
+    let (mut on, mut flying) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
+    for vertex in found {
+        let (path, numbers) = (&paths[vertex.path], flights[vertex.path].numbers);
+        let ([u, v], [w, chance]) = (numbers.at(first + 2), numbers.at(first + 3));
+        let Some(sample) = vertex.bsdf.sample(vertex.wo, [u, v, w], Transport::Radiance) else { continue };
+        let mut throughput = path.throughput * sample.weight;
+        if event >= SURE_EVENTS {
+            let survival = throughput.max_element().clamp(LEAST_SURVIVAL, 1.0);
+            if chance >= survival {
+                continue;
+            }
+            throughput /= survival;
+        }
+        if throughput == DVec3::ZERO || !throughput.is_finite() {
+            continue;
+        }
+        let direction = vertex.frame.world_from_local(sample.wi).normalize();
+        let pdf = if sample.is_specular { f64::INFINITY } else { sample.pdf };
+        on.push(Path { place: path.place, throughput, pdf, from: vertex.point });
+        flying.push(vertex.leave(sample.wi, direction, f64::INFINITY, numbers));
+    }
+    (on, flying)
+}
+
+/// The share of a way of this density where another way finds the same with the other density.
+fn share(pdf: f64, other: f64) -> f64 {
+    if other == 0.0 || pdf == f64::INFINITY {
+        return 1.0;
+    }
+    let ratio = other / pdf;
+    1.0 / (1.0 + ratio * ratio)
+}
+
+/// The numbers of the place in the pixel.
+pub fn pixel_numbers(numbers: &Numbers) -> [f64; 2] {
+    numbers.at(0)
+}
