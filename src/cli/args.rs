@@ -6,11 +6,13 @@
 pub mod teaching;
 
 use super::values::{
-    ball, box_bounds, field_of_view, mode, numbers, on_line, orbit, positive, setting, threads, whole,
+    background, ball, box_bounds, exposure, field_of_view, filter, mode, numbers, on_line, orbit, positive, setting,
+    threads, tonemap, whole,
 };
-use crate::film::Size;
+use crate::film::{Size, Tone};
 use crate::num::rational::Rational;
-use crate::render::Mode;
+use crate::render::filter::Filter;
+use crate::render::{Background, Mode};
 use clap::{ArgAction, Args, Parser, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use std::ffi::{OsStr, OsString};
@@ -142,6 +144,28 @@ pub struct RenderArgs {
     /// Seed of random numbers (0)
     #[arg(long, value_name = "N", value_parser = whole::<0, { u64::MAX }>, allow_hyphen_values = true)]
     pub seed: Option<u64>,
+    /// Make light brighter by EV stops (0)
+    ///
+    /// Light is multiplied by 2^EV before the tone curve; EXR keeps it as it is.
+    #[arg(long, value_name = "EV", value_parser = exposure, allow_hyphen_values = true)]
+    pub exposure: Option<f64>,
+    /// Tone curve: neutral, agx or none
+    ///
+    /// How light of any strength becomes what a screen can show. `neutral` (Khronos PBR Neutral) keeps hues and is the
+    /// default in `studio` and where light is followed; `agx` lets bright colours fade, as film does; `none` cuts off.
+    #[arg(long, value_name = "CURVE", value_parser = tonemap)]
+    pub tonemap: Option<Tone>,
+    /// COLOR, transparent or sky, behind it all
+    ///
+    /// In studio, cosine and mirror: a name or #rrggbb, which is shown as it is; nothing, with smooth edges, in png, webp,
+    /// tiff and exr; or the program's sky.
+    #[arg(long, value_name = "BEHIND", value_parser = background)]
+    pub background: Option<Background>,
+    /// Pixel filter: mitchell, gaussian or box
+    ///
+    /// How much a place counts in a pixel, where light is followed.
+    #[arg(long, value_name = "FILTER", value_parser = filter)]
+    pub filter: Option<Filter>,
     /// Distances to the first hit, channel Z
     ///
     /// As an EXR file of one channel Z: from the eye through each pixel's centre, +inf where nothing is hit.

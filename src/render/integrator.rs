@@ -2,7 +2,7 @@
 //!
 //! In: rays, what they hit, the scene. Out: a colour a ray. One file a mode; here is what they share.
 
-use super::settings::Mode;
+use super::settings::{Background, Mode};
 use super::{cosine, data, mirror};
 use crate::scene::Scene;
 use crate::surface::{Hit, Ray};
@@ -21,6 +21,15 @@ pub fn shade(mode: Mode, scene: &Scene, rays: &[Ray], hits: &[Hit], colours: &mu
         Mode::Depth => colours.extend(rays.map(|(ray, hit)| data::depth(scene, ray, hit))),
         Mode::Cost => colours.extend(rays.map(|(_, hit)| data::cost(hit))),
         Mode::Proof => colours.extend(rays.map(|(ray, hit)| data::proof(ray, hit))),
+    }
+}
+
+/// The light of what a ray sees behind all surfaces; `None`: what the mode has.
+pub fn behind(background: Background, scene: &Scene, ray: &Ray) -> Option<DVec3> {
+    match background {
+        Background::Own => None,
+        Background::Plain(_) | Background::Clear => Some(DVec3::ZERO),
+        Background::Sky => Some(scene.sky.as_ref().map_or(DVec3::ZERO, |sky| sky.radiance(ray.direction))),
     }
 }
 

@@ -3,7 +3,10 @@
 //! In: words from a command line or a program. Out: plain settings.
 
 use super::filter::Filter;
-use crate::film::{Size, Tone};
+use super::tiles::Drawing;
+use crate::film::print::gain;
+use crate::film::{Print, Size, Tone};
+use glam::DVec3;
 
 /// What the colour of a pixel says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -64,6 +67,11 @@ impl Mode {
         }
     }
 
+    /// Whether what is behind the surfaces can be chosen.
+    pub fn has_background(self) -> bool {
+        matches!(self, Mode::Studio | Mode::Cosine | Mode::Mirror)
+    }
+
     /// Whether its pictures are means over paths of light: every pixel has all samples.
     pub fn is_transport(self) -> bool {
         matches!(self, Mode::Path)
@@ -88,6 +96,12 @@ pub struct Settings {
     pub seed: u64,
     /// How much a place counts in a pixel.
     pub filter: Filter,
+    /// How light becomes what a screen shows.
+    pub tone: Tone,
+    /// By how many stops light is made brighter before.
+    pub exposure: f64,
+    /// What is seen where nothing is hit, in the modes that shade surfaces.
+    pub background: Background,
     /// How many threads draw; at least 1.
     pub threads: usize,
     /// Whether distances are kept.
@@ -96,6 +110,44 @@ pub struct Settings {
     pub keep_normals: bool,
     /// In which passes it is drawn; the finished picture is the same.
     pub passes: Passes,
+}
+
+/// What is seen where nothing is hit, in modes `studio`, `cosine` and `mirror`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Background {
+    /// What the mode has.
+    #[default]
+    Own,
+    /// This linear light of 0..=1, which no tone curve changes.
+    Plain(DVec3),
+    /// Nothing: the picture is clear there.
+    Clear,
+    /// The sky of the scene.
+    Sky,
+}
+
+impl Background {
+    /// Whether it is known of each pixel how much of it is covered.
+    pub fn keeps_alpha(self) -> bool {
+        matches!(self, Background::Plain(_) | Background::Clear)
+    }
+}
+
+impl Settings {
+    /// A drawing as it is to be shown.
+    pub fn print<'a>(&self, drawing: &'a Drawing) -> Print<'a> {
+        let behind = match self.background {
+            Background::Plain(colour) => Some(colour.as_vec3().to_array()),
+            Background::Own | Background::Clear | Background::Sky => None,
+        };
+        Print {
+            picture: &drawing.picture,
+            alpha: drawing.alpha.as_ref(),
+            tone: self.tone,
+            gain: if self.tone == Tone::Data { 1.0 } else { gain(self.exposure) },
+            behind,
+        }
+    }
 }
 
 /// In which passes a picture is drawn.
@@ -121,6 +173,9 @@ impl Default for Settings {
             bounces: DEFAULT_BOUNCES,
             seed: 0,
             filter: Filter::default(),
+            tone: mode.tone(),
+            exposure: 0.0,
+            background: Background::Own,
             threads: 1,
             keep_depth: false,
             keep_normals: false,

@@ -3,9 +3,9 @@
 //! In: tiles, one after the other. Out: colours and what the rays know, on the canvas that all threads share.
 
 use super::canvas::{Canvas, Edge, lock};
-use super::integrator::{pixel, shade};
+use super::integrator::{behind, pixel, shade};
 use super::sampling;
-use super::settings::{Mode, Settings};
+use super::settings::{Background, Mode, Settings};
 use super::studio::blend::Window;
 use super::studio::gather::{self, Sample, gather};
 use super::studio::glimpse::{Glimpse, Light, Remembered, point};
@@ -83,7 +83,7 @@ impl<'a, T: Trace> Worker<'a, T> {
         self.look(tile.squares(side).map(|square| (square.middle().0, square.middle().1, 0)));
         self.window = Window::default();
         self.colour();
-        lock(self.canvas).fill(tile.squares(side), &self.colours);
+        lock(self.canvas).fill(tile.squares(side), &self.hits, &self.colours);
     }
 
     /// One ray through the centre of every pixel of the tile. In mode `studio` they are coloured when all are known.
@@ -99,7 +99,7 @@ impl<'a, T: Trace> Worker<'a, T> {
             let seen = (&self.samples[..], &self.rays[..], &self.hits[..]);
             gather(self.scene, &self.lights, &mut self.tracer, seen, &mut self.scratch, &mut self.gathered);
         } else {
-            shade(self.settings.mode, self.scene, &self.rays, &self.hits, &mut self.colours);
+            self.shade();
         }
         let remembered = self.rays.iter().zip(&self.hits).zip(&self.gathered);
         let remembered = remembered.map(|((ray, hit), light)| Remembered::new(Glimpse::of(ray, hit), light));
@@ -142,7 +142,9 @@ impl<'a, T: Trace> Worker<'a, T> {
     fn add_samples(&mut self, edges: &mut [&mut Edge], indices: Range<u32>) {
         self.look(edges.iter().flat_map(|edge| indices.clone().map(|k| (edge.at.0, edge.at.1, k))));
         self.colour();
-        for (edge, colours) in edges.iter_mut().zip(self.colours.chunks(indices.len())) {
+        let hits = self.hits.chunks(indices.len());
+        for ((edge, colours), hits) in edges.iter_mut().zip(self.colours.chunks(indices.len())).zip(hits) {
+            edge.covered += hits.iter().map(|hit| u32::from(hit.is_drawn())).sum::<u32>();
             if edge.count == 1 {
                 let first = edge.sum.map(|light| light as f32);
                 edge.is_torn = sampling::is_torn(first, colours);
@@ -194,7 +196,20 @@ impl<'a, T: Trace> Worker<'a, T> {
         if self.settings.mode == Mode::Studio {
             self.colour_samples();
         } else {
-            shade(self.settings.mode, self.scene, &self.rays, &self.hits, &mut self.colours);
+            self.shade();
+        }
+    }
+
+    /// Colours the rays looked at last, each by itself.
+    fn shade(&mut self) {
+        shade(self.settings.mode, self.scene, &self.rays, &self.hits, &mut self.colours);
+        if self.settings.background == Background::Own {
+            return;
+        }
+        for ((colour, ray), hit) in self.colours.iter_mut().zip(&self.rays).zip(&self.hits) {
+            if let (false, Some(behind)) = (hit.is_drawn(), behind(self.settings.background, self.scene, ray)) {
+                *colour = pixel(behind);
+            }
         }
     }
 
@@ -235,6 +250,9 @@ impl<'a, T: Trace> Worker<'a, T> {
     /// What ray k sees.
     fn studio_colour(&self, k: usize, glimpse: &Glimpse, light: &Light) -> [f32; 3] {
         if !glimpse.is_drawn() {
+            if let Some(behind) = behind(self.settings.background, self.scene, &self.rays[k]) {
+                return pixel(behind);
+            }
             let (i, j, _) = self.samples[k];
             let [across, down] = place(self.samples[k]);
             let half = f64::from(self.settings.size.height()) / 2.0;

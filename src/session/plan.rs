@@ -8,13 +8,13 @@ use super::outlook::{Outlook, Place};
 use super::program::Program;
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
-use crate::expr::lower::{Clip as WrittenClip, ClipShape, Kind as WrittenKind, Paint, SurfaceFormula};
-use crate::film::Size;
+use crate::expr::lower::{self, Clip as WrittenClip, ClipShape, Kind as WrittenKind, Paint, SurfaceFormula};
+use crate::film::{Size, Tone};
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
 use crate::render::filter::Filter;
 use crate::render::settings::DEFAULT_BOUNCES;
-use crate::render::{Drawing, Failure, Mode, Passes, Settings, Watch};
+use crate::render::{Background, Drawing, Failure, Mode, Passes, Settings, Watch};
 use crate::scene::cells::Cell;
 use crate::scene::framing::{self, MAX_POWER};
 use crate::scene::{Framing, Scene, Sides, View};
@@ -53,6 +53,14 @@ pub struct Wishes {
     pub bounces: Option<u32>,
     /// Which set of random numbers.
     pub seed: Option<u64>,
+    /// By how many stops light is made brighter.
+    pub exposure: Option<f64>,
+    /// The tone curve, where light is shown.
+    pub tone: Option<Tone>,
+    /// What is behind everything.
+    pub background: Option<Background>,
+    /// How much a place counts in a pixel.
+    pub filter: Option<Filter>,
     /// The camera.
     pub view: View,
     /// What is seen of everything: all of these; replaces the program's.
@@ -135,7 +143,8 @@ impl Plan {
             .map(|o| Surface::new(graph, o.formula.f, kind_of(&o.formula), &o.clip, wishes.simd))
             .collect();
         let mut scene = scene(program, wishes, &objects, &surfaces, &region, found, &settings)?;
-        let notes = matter::furnish(&mut scene, &mut program.lowered, wishes.simd);
+        let mut notes = matter::furnish(&mut scene, &mut program.lowered, wishes.simd);
+        notes.extend(background_without_use(program, wishes, settings.mode));
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,
             Method::March(Some(step)) => surface::Method::March { step },
@@ -225,16 +234,71 @@ fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
         (None, Some(written)) => Mode::from_name(&written.name).ok_or_else(|| unknown_mode(written))?,
         (None, None) => Mode::default(),
     };
+    let tone = match (wishes.tone, block.and_then(|render| render.tonemap.as_ref())) {
+        _ if mode.tone() == Tone::Data => Tone::Data,
+        (Some(tone), _) => tone,
+        (None, Some(word)) => Tone::from_name(&word.name).ok_or_else(|| unknown(word, "tone curve", &Tone::CURVES))?,
+        (None, None) => mode.tone(),
+    };
+    let filter = match (wishes.filter, block.and_then(|render| render.filter.as_ref())) {
+        (Some(filter), _) => filter,
+        (None, Some(word)) => Filter::from_name(&word.name).ok_or_else(|| unknown(word, "filter", &Filter::ALL))?,
+        (None, None) => Filter::default(),
+    };
+    let exposure = wishes.exposure.or(block.and_then(|render| render.exposure)).unwrap_or(0.0);
+    let written = block.and_then(|render| render.background).map(background);
+    let background = wishes.background.or(written).filter(|_| mode.has_background()).unwrap_or_default();
     let samples = wishes.samples.or(block.and_then(|render| render.samples)).unwrap_or_else(|| mode.default_samples());
     let bounces = wishes.bounces.or(block.and_then(|render| render.bounces)).unwrap_or(DEFAULT_BOUNCES);
-    let seed = wishes.seed.or(block.and_then(|render| render.seed).map(u64::from)).unwrap_or(0);
+    let seed = wishes.seed.or(block.and_then(|render| render.seed)).unwrap_or(0);
     let threads = wishes.threads.max(1);
     let Wishes { keep_depth, keep_normals, passes, .. } = *wishes;
-    let filter = Filter::default();
-    Ok(Settings { size, mode, samples, bounces, seed, filter, threads, keep_depth, keep_normals, passes })
+    Ok(Settings {
+        size,
+        mode,
+        samples,
+        bounces,
+        seed,
+        filter,
+        tone,
+        exposure,
+        background,
+        threads,
+        keep_depth,
+        keep_normals,
+        passes,
+    })
 }
 
-fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {
+fn background(written: lower::Background) -> Background {
+    match written {
+        lower::Background::Color(color) => Background::Plain(matter::linear(color)),
+        lower::Background::Transparent => Background::Clear,
+        lower::Background::Sky => Background::Sky,
+    }
+}
+
+/// Says so if a background was asked for in a mode that has none to choose.
+fn background_without_use(program: &Program, wishes: &Wishes, mode: Mode) -> Option<Diagnostic> {
+    let block = program.lowered.render.as_ref();
+    let is_asked_for = wishes.background.is_some() || block.is_some_and(|render| render.background.is_some());
+    if !is_asked_for || mode.has_background() {
+        return None;
+    }
+    let span = block.map(|render| render.span).unwrap_or_default();
+    let note = Diagnostic::note(span, "this mode makes no use of `background`");
+    let note = note.help("`studio`, `cosine` and `mirror` do; the modes that follow light show the sky");
+    Some(if wishes.background.is_some() { Diagnostic { labels: Vec::new(), ..note } } else { note })
+}
+
+fn unknown<T>(word: &lower::Word, what: &str, all: &[(&'static str, T)]) -> Refusal {
+    let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    let name = crate::diag::printable(&word.name, 40);
+    let diagnostic = Diagnostic::error(word.span, format!("there is no {what} '{name}'"));
+    Refusal::Program(vec![diagnostic.help(format!("there are {}", names.join(", ")))])
+}
+
+fn unknown_mode(written: &lower::Word) -> Refusal {
     let names: Vec<&str> = Mode::ALL.iter().map(|(name, _)| *name).collect();
     let name = crate::diag::printable(&written.name, 40);
     let message = match LATER_MODES.contains(&written.name.as_str()) {

@@ -159,6 +159,11 @@ pub(super) fn named(name: &str) -> Option<[u8; 3]> {
     NAMED.binary_search_by_key(&name, |(known, _)| known).ok().map(|at| NAMED[at].1)
 }
 
+/// The colour of a name or of hexadecimal digits.
+pub fn color_of_text(text: &str) -> Option<[u8; 3]> {
+    named(text).or_else(|| hexadecimal(text))
+}
+
 /// All names.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     NAMED.iter().map(|(name, _)| *name)

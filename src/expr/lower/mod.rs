@@ -35,8 +35,9 @@ mod surfaces;
 mod tests;
 mod values;
 
-pub use blocks::{Camera, Mode, Render};
+pub use blocks::{Background, Camera, MAX_EXPOSURE, Render, Word};
 pub use clips::{Clip, ClipShape};
+pub use colours::color_of_text;
 pub use lights::{Light, MAX_LIGHTS, Sky, SkyKind, TURBIDITIES};
 pub use matter::{Conductor, Inside, Matter, MatterKind, Metal};
 pub use paints::{Color, Paint};

@@ -83,7 +83,7 @@ impl<'a> Lowerer<'a> {
     }
 
     fn named_color(&mut self, name: &str, span: Span) -> Reporting<Color> {
-        if let Some(srgb) = colours::named(name).or_else(|| colours::hexadecimal(name)) {
+        if let Some(srgb) = colours::color_of_text(name) {
             return Ok(Color::Srgb(srgb));
         }
         let help = match nearest(name, colours::names()).first() {
