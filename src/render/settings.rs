@@ -26,13 +26,15 @@ pub enum Mode {
     Cost,
     /// What is proven of the pixel.
     Proof,
+    /// Gauss curvature.
+    Curvature,
     /// Transport of light, by paths from the camera.
     Path,
 }
 
 impl Mode {
     /// All modes with the words that name them.
-    pub const ALL: [(&'static str, Mode); 8] = [
+    pub const ALL: [(&'static str, Mode); 9] = [
         ("studio", Mode::Studio),
         ("cosine", Mode::Cosine),
         ("mirror", Mode::Mirror),
@@ -40,6 +42,7 @@ impl Mode {
         ("depth", Mode::Depth),
         ("cost", Mode::Cost),
         ("proof", Mode::Proof),
+        ("curvature", Mode::Curvature),
         ("path", Mode::Path),
     ];
 
@@ -52,7 +55,7 @@ impl Mode {
     pub fn tone(self) -> Tone {
         match self {
             Mode::Studio | Mode::Path => Tone::Neutral,
-            Mode::Cosine | Mode::Mirror => Tone::Linear,
+            Mode::Cosine | Mode::Mirror | Mode::Curvature => Tone::Linear,
             Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof => Tone::Data,
         }
     }
@@ -61,10 +64,15 @@ impl Mode {
     /// is not mixed with its neighbours.
     pub fn default_samples(self) -> u32 {
         match self {
-            Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal => 16,
+            Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal | Mode::Curvature => 16,
             Mode::Depth | Mode::Cost | Mode::Proof => 1,
             Mode::Path => 64,
         }
+    }
+
+    /// Whether it shows the colours of surfaces, each ray by itself.
+    pub fn shows_colours(self) -> bool {
+        matches!(self, Mode::Cosine | Mode::Mirror | Mode::Curvature)
     }
 
     /// Whether what is behind the surfaces can be chosen.

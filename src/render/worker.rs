@@ -3,13 +3,13 @@
 //! In: tiles, one after the other. Out: colours and what the rays know, on the canvas that all threads share.
 
 use super::canvas::{Canvas, Edge, lock};
-use super::integrator::{behind, pixel, shade};
+use super::integrator::{behind, colours_of, pixel, shade};
 use super::sampling;
 use super::settings::{Background, Mode, Settings};
 use super::studio::blend::Window;
 use super::studio::gather::{self, Sample, gather};
 use super::studio::glimpse::{Glimpse, Light, Remembered, point};
-use super::studio::{self, backdrop};
+use super::studio::{self, Seen, backdrop};
 use super::tiles::{Job, Tile};
 use super::trace::Trace;
 use super::transport::estimate::Estimator;
@@ -18,6 +18,7 @@ use crate::film::Layer;
 use crate::scene::Scene;
 use crate::scene::studio::Studio;
 use crate::surface::{Hit, Ray, Rectangle};
+use glam::DVec3;
 use std::ops::Range;
 use std::sync::Mutex;
 
@@ -114,10 +115,12 @@ impl<'a, T: Trace> Worker<'a, T> {
         self.look_around(tile, memory);
         self.aim(tile.pixels().map(|(i, j)| (i, j, 0)));
         self.colours.clear();
+        let glimpses: Vec<Glimpse> = tile.pixels().map(|(i, j)| self.window.at(i, j).glimpse).collect();
+        let sides = self.sides(&glimpses);
         for (k, (i, j)) in tile.pixels().enumerate() {
             let kept = self.window.at(i, j);
             let light = self.shared_light(k, &kept.glimpse).unwrap_or_else(|| kept.light());
-            self.colours.push(self.studio_colour(k, &kept.glimpse, &light));
+            self.colours.push(self.studio_colour(k, &kept.glimpse, &light, sides[k]));
         }
         lock(self.canvas).colour(tile, &self.colours);
     }
@@ -223,6 +226,7 @@ impl<'a, T: Trace> Worker<'a, T> {
         let hits: Vec<Hit> = alone.iter().map(|&k| self.hits[k]).collect();
         let seen = (&samples[..], &rays[..], &hits[..]);
         gather(self.scene, &self.lights, &mut self.tracer, seen, &mut self.scratch, &mut self.gathered);
+        let sides = self.sides(&glimpses);
         let mut own = self.gathered.iter();
         self.colours.clear();
         for (k, glimpse) in glimpses.iter().enumerate() {
@@ -230,7 +234,7 @@ impl<'a, T: Trace> Worker<'a, T> {
                 None if glimpse.is_drawn() => own.next().copied().unwrap_or(Light::OPEN),
                 shared => shared.unwrap_or(Light::OPEN),
             };
-            let colour = self.studio_colour(k, glimpse, &light);
+            let colour = self.studio_colour(k, glimpse, &light, sides[k]);
             self.colours.push(colour);
         }
     }
@@ -247,8 +251,13 @@ impl<'a, T: Trace> Worker<'a, T> {
         self.scene.camera.footprint(self.settings.size.height(), f64::from(glimpse.t))
     }
 
-    /// What ray k sees.
-    fn studio_colour(&self, k: usize, glimpse: &Glimpse, light: &Light) -> [f32; 3] {
+    /// The colours of what the rays see.
+    fn sides(&self, glimpses: &[Glimpse]) -> Vec<DVec3> {
+        colours_of(self.scene, self.rays.iter().zip(glimpses).map(|(ray, glimpse)| glimpse.place(ray)))
+    }
+
+    /// What ray k sees, of which the surface has this colour.
+    fn studio_colour(&self, k: usize, glimpse: &Glimpse, light: &Light, colour: DVec3) -> [f32; 3] {
         if !glimpse.is_drawn() {
             if let Some(behind) = behind(self.settings.background, self.scene, &self.rays[k]) {
                 return pixel(behind);
@@ -259,7 +268,8 @@ impl<'a, T: Trace> Worker<'a, T> {
             let aspect = f64::from(self.settings.size.width()) / f64::from(self.settings.size.height());
             return pixel(backdrop::backdrop([across / half - aspect, down / half - 1.0], (i, j)));
         }
-        pixel(studio::colour(self.scene, &self.lights, &self.rays[k], glimpse, light, self.footprint(glimpse)))
+        let seen = Seen { colour, footprint: self.footprint(glimpse) };
+        pixel(studio::colour(self.scene, &self.lights, &self.rays[k], glimpse, light, seen))
     }
 
     /// Traces the sample k of pixel (i, j) for all (i, j, k), into `rays` and `hits`.

@@ -3,12 +3,17 @@
 //! In: a program without errors and the wishes of the command line, which win over it. Out: a [`Plan`], or why there
 //! is none. Here what was left open is found: the region, the eye, the colours.
 
+use super::cap;
 use super::matter;
 use super::outlook::{Outlook, Place};
+use super::paint::Painter;
 use super::program::Program;
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
-use crate::expr::lower::{self, Clip as WrittenClip, ClipShape, Kind as WrittenKind, Paint, SurfaceFormula};
+use crate::expr::curvature;
+use crate::expr::equation::whole;
+use crate::expr::graph::{Graph, NodeId};
+use crate::expr::lower::{self, Clip as WrittenClip, ClipShape, Kind as WrittenKind, Lowered, SurfaceFormula};
 use crate::film::{Size, Tone};
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
@@ -28,7 +33,7 @@ const MARCH_SHARE: f64 = 1.0 / 256.0;
 const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
 
 /// Modes that the design has and this version does not.
-pub const LATER_MODES: [&str; 7] = ["whitted", "angle", "end", "bounces", "light", "bidirectional", "curvature"];
+pub const LATER_MODES: [&str; 6] = ["whitted", "angle", "end", "bounces", "light", "bidirectional"];
 
 /// How roots are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -138,12 +143,18 @@ impl Plan {
         }
         check_region(program, wishes, &region)?;
         let graph = &mut program.lowered.graph;
+        objects
+            .iter_mut()
+            .filter(|object| object.formula.matter.cap)
+            .for_each(|object| object.close(graph, wishes.simd));
         let surfaces: Vec<Surface> = objects
             .iter()
             .map(|o| Surface::new(graph, o.formula.f, kind_of(&o.formula), &o.clip, wishes.simd))
             .collect();
         let mut scene = scene(program, wishes, &objects, &surfaces, &region, found, &settings)?;
-        let mut notes = matter::furnish(&mut scene, &mut program.lowered, wishes.simd);
+        paint(&mut scene, &mut program.lowered, &objects, &smallest(&region), settings.mode, wishes.simd);
+        let formulas: Vec<&SurfaceFormula> = objects.iter().map(|object| &object.formula).collect();
+        let mut notes = matter::furnish(&mut scene, &mut program.lowered, &formulas, wishes.simd);
         notes.extend(background_without_use(program, wishes, settings.mode));
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,
@@ -169,6 +180,15 @@ struct Object {
     clip: Clip,
     f: Formula,
     fields: Vec<Formula>,
+}
+
+impl Object {
+    /// Closes it where its clip cuts it.
+    fn close(&mut self, graph: &mut Graph, simd: Simd) {
+        cap::close(graph, &mut self.formula, &mut self.clip);
+        self.f = Formula::new(graph, self.formula.f, simd);
+        self.fields.clear();
+    }
 }
 
 fn objects(program: &mut Program, wishes: &Wishes) -> Vec<Object> {
@@ -358,9 +378,7 @@ fn scene(
         }
         _ => Refusal::Wishes(error.to_string()),
     })?;
-    let count = objects.len();
-    let sides =
-        objects.iter().enumerate().map(|(index, object)| sides(object, index, count, &smallest(region))).collect();
+    let sides = Vec::new();
     let clips = objects.iter().map(|object| object.clip.shapes.clone()).collect();
     let whole = smallest(region);
     let bounds = objects.iter().map(|object| {
@@ -372,18 +390,36 @@ fn scene(
     Ok(Scene { camera, look_at, sides, clips, bounds, materials, lights, sky, center, radius })
 }
 
-/// The colours of a surface: its front is its outside, which is where f < 0 if f is so all around the region.
-fn sides(object: &Object, index: usize, count: usize, region: &Shape) -> Sides {
-    let sides = match object.formula.matter.color {
-        Some(Paint::Plain(color)) => Sides::of(matter::linear(color)),
-        None => Sides::by_default(index, count),
-    };
+/// Whether f is negative all around the region, so that the outside is where f < 0.
+fn is_negative_outside(object: &Object, region: &Shape) -> bool {
     let corner = |k: u32| DVec3::select(glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0), OUTSIDE, -OUTSIDE);
     let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| axis * OUTSIDE.x);
-    let around = (0..8).map(corner).chain(axes).chain(axes.map(|axis| -axis));
-    let is_negative_outside =
-        around.into_iter().all(|offset| object.f.value(region.center() + offset * region.size()) < 0.0);
-    if is_negative_outside { Sides { front: sides.back, back: sides.front } } else { sides }
+    let mut around = (0..8).map(corner).chain(axes).chain(axes.map(|axis| -axis));
+    around.all(|offset| object.f.value(region.center() + offset * region.size()) < 0.0)
+}
+
+/// Gives a scene the colours of its surfaces: their own, or what the mode shows instead.
+fn paint(scene: &mut Scene, lowered: &mut Lowered, objects: &[Object], region: &Shape, mode: Mode, simd: Simd) {
+    let curvatures: Vec<Option<NodeId>> = objects.iter().map(|object| curvature_of(lowered, object, mode)).collect();
+    let painter = Painter { graph: &lowered.graph, simd, radius: scene.radius };
+    let sides = objects.iter().zip(curvatures).enumerate().map(|(index, (object, curvature))| {
+        let default = Sides::by_default(index, objects.len());
+        match curvature {
+            Some(gauss) => Sides { paint: painter.curvature(gauss), ..default },
+            None => matter::sides(&object.formula.matter, default, is_negative_outside(object, region), &painter),
+        }
+    });
+    scene.sides = sides.collect();
+}
+
+/// The Gauss curvature of a surface, in the mode that shows it.
+fn curvature_of(lowered: &mut Lowered, object: &Object, mode: Mode) -> Option<NodeId> {
+    let graph = &mut lowered.graph;
+    let f = object.formula.f;
+    (mode == Mode::Curvature).then(|| {
+        let g = if object.formula.kind == WrittenKind::Solid { f } else { whole(graph, f) };
+        curvature::gauss(graph, g)
+    })
 }
 
 /// What is proven of a box for all surfaces.

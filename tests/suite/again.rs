@@ -17,6 +17,8 @@ const ROWS: &[&str] = &[
     "parts/ring.imp|x^2+y^2+z^2=0.01",
     "x^2+y^2+z^2=1|--mode|depth|--box|-4,4,-4,4,-4,4",
     "-|--mode|proof",
+    "x^2+y^2+z^2 <= 1 { cap: true, color: palette(viridis, gauss*z), lines: every(0.25, z) }|--box|-2,2,-2,2,-2,0.5",
+    "material m { color: checker(0.5, white, navy) }; x^2+y^2+z^2=1 { material: m }|--mode|curvature",
     "x^2+y^2+z^2=1|--exposure|-1.5|--tonemap|agx",
     "x^2+y^2+z^2=1; render { exposure: 1/3, tonemap: none, background: #123456 }",
     "x^2+y^2+z^2=1|--background|transparent|--mode|cosine",

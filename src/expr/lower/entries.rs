@@ -153,6 +153,7 @@ pub(super) fn place(value: &AttributeValue) -> Span {
         AttributeValue::Expr(expr) => expr.span,
         AttributeValue::Color(_, span)
         | AttributeValue::Text(_, span)
+        | AttributeValue::Call(_, _, span)
         | AttributeValue::Size(_, _, span)
         | AttributeValue::Box(_, span) => *span,
     }
