@@ -14,7 +14,7 @@ pub fn shade(mode: Mode, scene: &Scene, rays: &[Ray], hits: &[Hit], colours: &mu
     colours.clear();
     let rays = rays.iter().zip(hits);
     match mode {
-        Mode::Studio | Mode::Path => {}
+        Mode::Studio | Mode::Path | Mode::Light | Mode::Bidirectional => {}
         Mode::Cosine => colours.extend(rays.map(|(ray, hit)| cosine::colour(scene, ray, hit))),
         Mode::Mirror => colours.extend(rays.map(|(ray, hit)| mirror::colour(scene, ray, hit))),
         Mode::Normal => colours.extend(rays.map(|(_, hit)| data::normal(hit))),

@@ -25,11 +25,15 @@ pub enum Mode {
     Proof,
     /// Transport of light, by paths from the camera.
     Path,
+    /// The same by paths from the lights.
+    Light,
+    /// The same by both.
+    Bidirectional,
 }
 
 impl Mode {
     /// All modes with the words that name them.
-    pub const ALL: [(&'static str, Mode); 8] = [
+    pub const ALL: [(&'static str, Mode); 10] = [
         ("studio", Mode::Studio),
         ("cosine", Mode::Cosine),
         ("mirror", Mode::Mirror),
@@ -38,6 +42,8 @@ impl Mode {
         ("cost", Mode::Cost),
         ("proof", Mode::Proof),
         ("path", Mode::Path),
+        ("light", Mode::Light),
+        ("bidirectional", Mode::Bidirectional),
     ];
 
     /// The mode of a name.
@@ -48,7 +54,7 @@ impl Mode {
     /// How the mode's values are shown on a screen.
     pub fn tone(self) -> Tone {
         match self {
-            Mode::Studio | Mode::Path => Tone::Neutral,
+            Mode::Studio | Mode::Path | Mode::Light | Mode::Bidirectional => Tone::Neutral,
             Mode::Cosine | Mode::Mirror => Tone::Linear,
             Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof => Tone::Data,
         }
@@ -60,13 +66,13 @@ impl Mode {
         match self {
             Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal => 16,
             Mode::Depth | Mode::Cost | Mode::Proof => 1,
-            Mode::Path => 64,
+            Mode::Path | Mode::Light | Mode::Bidirectional => 64,
         }
     }
 
     /// Whether its pictures are means over paths of light: every pixel has all samples.
     pub fn is_transport(self) -> bool {
-        matches!(self, Mode::Path)
+        matches!(self, Mode::Path | Mode::Light | Mode::Bidirectional)
     }
 }
 

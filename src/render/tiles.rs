@@ -280,7 +280,7 @@ impl<'a, T: Trace> Job<'a, T> {
             let mut start = 0;
             for end in light_passes(self.settings) {
                 pass(&tiles, &|worker, tile| worker.shine(tile, start..end), true)?;
-                lock(self.canvas).show_light();
+                lock(self.canvas).show_light(end);
                 if end < self.settings.samples {
                     self.passed(Pass::Samples(end));
                 }

@@ -169,6 +169,9 @@ impl<'a, T: Trace> Worker<'a, T> {
                 let each = pixels.iter().flat_map(|&pixel| samples.clone().map(move |sample| (pixel, sample)));
                 let each: Vec<((u32, u32), u32)> = each.collect();
                 estimator.estimate(&mut self.tracer, &each, &mut estimates);
+                let mut canvas = lock(self.canvas);
+                estimator.shown(|pixel, light| canvas.add_shown(pixel, light));
+                drop(canvas);
                 for (sum, estimates) in sums.iter_mut().zip(estimates.chunks(samples.len())) {
                     for estimate in estimates {
                         let light = estimate.light * estimate.sign;

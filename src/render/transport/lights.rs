@@ -184,7 +184,8 @@ impl Lights {
         if cosine > 0.0 { (radiance, cosine.min(1.0)) } else { (DVec3::ZERO, 1.0) }
     }
 
-    fn choice(&self, emitter: usize) -> f64 {
+    /// How likely an emitter is chosen.
+    pub fn choice(&self, emitter: usize) -> f64 {
         self.sums[emitter] - if emitter == 0 { 0.0 } else { self.sums[emitter - 1] }
     }
 

@@ -9,10 +9,14 @@
 //! - [`world`]: what flights meet: surfaces, balls of light, nothing.
 //! - [`vertex`]: where a path scatters; [`bsdf`]: how.
 //! - [`path`]: paths from the camera.
+//! - [`light`]: paths from the lights; [`bidirectional`]: both, joined, weighed by [`balance`].
 //! - [`estimate`]: samples of pixels, by whichever of them.
 
+pub mod balance;
+pub mod bidirectional;
 pub mod bsdf;
 pub mod estimate;
+pub mod light;
 pub mod lights;
 pub mod media;
 pub mod path;

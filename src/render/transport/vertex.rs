@@ -2,7 +2,8 @@
 //!
 //! In: a flight and the surface it met. Out: the frame, the bsdf, the light emitted there, and how a path goes on on either side.
 
-use super::bsdf::{Bsdf, Transport};
+use super::balance::Balance;
+use super::bsdf::{Bsdf, Sample, Transport};
 use super::media::{Boundary, Media};
 use super::warp::Frame;
 use super::world::{Flight, Matter, Met, Numbers, World};
@@ -38,6 +39,11 @@ pub struct Vertex {
 }
 
 impl Vertex {
+    /// The same point, of another path of a batch.
+    pub fn of_path(self, path: usize) -> Self {
+        Vertex { path, ..self }
+    }
+
     /// The cosine at which the path arrives.
     pub fn cosine(&self) -> f64 {
         self.wo.z
@@ -51,6 +57,15 @@ impl Vertex {
     /// f and the cosine towards a direction of the frame.
     pub fn value(&self, wi: DVec3, transport: Transport) -> DVec3 {
         self.bsdf.value(self.wo, wi, transport) * wi.z.abs()
+    }
+
+    /// How other ways weigh behind this point, of a path that goes on as sampled.
+    pub fn balance_behind(&self, balance: Balance, sample: &Sample) -> Balance {
+        let cosine = sample.wi.z.abs();
+        if sample.is_specular {
+            return balance.reflect(cosine);
+        }
+        balance.scatter(sample.pdf, self.bsdf.reverse_pdf(self.wo, sample.wi), cosine)
     }
 
     /// Where a ray in a direction of the frame starts.
