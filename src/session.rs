@@ -5,12 +5,15 @@
 //! line, so that a library or a server lives the same life: nothing here prints, reads a file or a clock.
 //!
 //! - [`mod@include`]: programs that include others.
+//! - `matter`: materials and lights as the scene has them; `inside`: which side of glass is its inside.
 //! - `outlook`: where the eye goes when nobody said.
 //! - [`program`]: texts to formulas.
 //! - [`plan`]: formulas to surfaces, a camera and settings.
 //! - [`mod@recipe`]: the program that draws a picture again.
 
 pub mod include;
+mod inside;
+mod matter;
 mod outlook;
 pub mod plan;
 pub mod program;

@@ -12,6 +12,7 @@ use super::progress::{Keep, Progress};
 use super::stats::{self, Stages};
 use super::terminal::Terminal;
 use super::{console, programs};
+use crate::diag::{Diagnostic, Severity, render};
 use crate::film::{Format, Size, exr};
 use crate::num::level::Simd;
 use crate::render::{Drawing, Pass, Passes};
@@ -37,6 +38,7 @@ pub fn run(args: RenderArgs) -> Result<(), Complaint> {
     let wishes = Wishes { size: args.size.or(own_size), ..wishes(&args) };
     let plan = Plan::new(&mut program, &wishes).map_err(|refusal| refused(refusal, &program))?;
     check_sides(&destination, plan.settings.size)?;
+    say_notes(&args, &program, &plan)?;
     say_region(&args, &plan);
     let notes = notes(&destination, &program, &wishes, &plan);
     stages.compiled = clock.now();
@@ -104,6 +106,21 @@ fn write(
     if args.stats {
         console::say(&stats::sentences(stages, plan, &drawing.report));
     }
+    Ok(())
+}
+
+/// Says what the plan had to assume.
+fn say_notes(args: &RenderArgs, program: &Program, plan: &Plan) -> Result<(), Complaint> {
+    if plan.notes.is_empty() || args.program.quiet {
+        return Ok(());
+    }
+    if args.program.strict {
+        let errors: Vec<Diagnostic> =
+            plan.notes.iter().cloned().map(|note| Diagnostic { severity: Severity::Error, ..note }).collect();
+        return Err(Complaint::diagnostics(&errors, &program.sources));
+    }
+    let text = render(&plan.notes, &program.sources, console::has_colour());
+    console::say(&format!("{}\n", text.trim_end()));
     Ok(())
 }
 

@@ -7,6 +7,11 @@ use crate::num::level::Portable;
 
 const RADIANS_PER_DEGREE: f64 = std::f64::consts::PI / 180.0;
 
+/// An angle in radians.
+pub fn radians(degrees: f64) -> f64 {
+    degrees * RADIANS_PER_DEGREE
+}
+
 /// The sine of an angle in degrees.
 pub fn sine(degrees: f64) -> f64 {
     match degrees.rem_euclid(360.0) {

@@ -3,11 +3,12 @@
 //! In: a program without errors and the wishes of the command line, which win over it. Out: a [`Plan`], or why there
 //! is none. Here what was left open is found: the region, the eye, the colours.
 
+use super::matter;
 use super::outlook::{Outlook, Place};
 use super::program::Program;
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
-use crate::expr::lower::{Clip as WrittenClip, ClipShape, Color, Kind as WrittenKind, SurfaceFormula};
+use crate::expr::lower::{Clip as WrittenClip, ClipShape, Kind as WrittenKind, Paint, SurfaceFormula};
 use crate::film::Size;
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
@@ -16,8 +17,7 @@ use crate::render::settings::DEFAULT_BOUNCES;
 use crate::render::{Drawing, Failure, Mode, Passes, Settings, Watch};
 use crate::scene::cells::Cell;
 use crate::scene::framing::{self, MAX_POWER};
-use crate::scene::material::DEFAULT_ALBEDO;
-use crate::scene::{Framing, Material, Scene, Sides, Sky, View, colour};
+use crate::scene::{Framing, Scene, Sides, View};
 use crate::surface::{self, Clip, Shape, Surface, Tracer};
 use glam::DVec3;
 
@@ -87,6 +87,8 @@ pub struct Plan {
     pub found: Option<Framing>,
     /// What was asked of the camera.
     pub view: View,
+    /// What had to be assumed.
+    pub notes: Vec<Diagnostic>,
 }
 
 /// Why nothing can be drawn.
@@ -132,14 +134,15 @@ impl Plan {
             .iter()
             .map(|o| Surface::new(graph, o.formula.f, kind_of(&o.formula), &o.clip, wishes.simd))
             .collect();
-        let scene = scene(program, wishes, &objects, &surfaces, &region, found, &settings)?;
+        let mut scene = scene(program, wishes, &objects, &surfaces, &region, found, &settings)?;
+        let notes = matter::furnish(&mut scene, &mut program.lowered, wishes.simd);
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,
             Method::March(Some(step)) => surface::Method::March { step },
             Method::March(None) => surface::Method::March { step: smallest(&region).size() * 2.0 * MARCH_SHARE },
         };
         let view = wishes.view.or(written_view(program));
-        Ok(Plan { surfaces, scene, settings, method, region, found, view })
+        Ok(Plan { surfaces, scene, settings, method, region, found, view, notes })
     }
 
     /// Draws it.
@@ -301,25 +304,14 @@ fn scene(
         (shape.center(), shape.size())
     });
     let bounds = bounds.collect();
-    let materials = objects.iter().map(material).collect();
-    let (lights, sky) = (Vec::new(), Some(Sky::Uniform(DVec3::ONE)));
+    let (materials, lights, sky) = (Vec::new(), Vec::new(), None);
     Ok(Scene { camera, look_at, sides, clips, bounds, materials, lights, sky, center, radius })
-}
-
-/// What a surface is made of.
-fn material(object: &Object) -> Material {
-    Material::matte(match object.formula.color {
-        Some(Color::Srgb(bytes)) => colour::from_bytes(bytes),
-        Some(Color::Linear(rgb)) => rgb.into(),
-        None => DVec3::splat(DEFAULT_ALBEDO),
-    })
 }
 
 /// The colours of a surface: its front is its outside, which is where f < 0 if f is so all around the region.
 fn sides(object: &Object, index: usize, count: usize, region: &Shape) -> Sides {
-    let sides = match object.formula.color {
-        Some(Color::Srgb(bytes)) => Sides::of(colour::from_bytes(bytes)),
-        Some(Color::Linear(rgb)) => Sides::of(rgb.into()),
+    let sides = match object.formula.matter.color {
+        Some(Paint::Plain(color)) => Sides::of(matter::linear(color)),
         None => Sides::by_default(index, count),
     };
     let corner = |k: u32| DVec3::select(glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0), OUTSIDE, -OUTSIDE);

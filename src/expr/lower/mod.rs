@@ -8,18 +8,24 @@
 //! - [`values`]: numbers, vectors, lists and their arithmetic.
 //! - [`meanings`]: what a name stands for.
 //! - [`expressions`], [`powers`], [`functions`], [`regions`], [`series`]: the expressions, by kind.
-//! - [`parameters`], [`surfaces`], [`blocks`], [`colours`]: the statements, by kind.
+//! - [`parameters`], [`surfaces`], [`blocks`], [`lights`], [`matter`]: the statements, by kind.
+//! - [`entries`], [`clips`], [`paints`], [`colours`]: the values in their blocks.
 //! - [`constants`]: the f64 of a node that hangs on no variable.
 //! - [`limits`]: what no text may exceed.
 
 mod blocks;
+mod clips;
 mod colours;
 mod constants;
+mod entries;
 mod expressions;
 mod functions;
+mod lights;
 pub mod limits;
+mod matter;
 mod meanings;
 mod names;
+mod paints;
 mod parameters;
 mod powers;
 mod regions;
@@ -29,7 +35,11 @@ mod surfaces;
 mod tests;
 mod values;
 
-pub use blocks::{Camera, Clip, ClipShape, Color, Mode, Render};
+pub use blocks::{Camera, Mode, Render};
+pub use clips::{Clip, ClipShape};
+pub use lights::{Light, MAX_LIGHTS, Sky, SkyKind, TURBIDITIES};
+pub use matter::{Conductor, Inside, Matter, MatterKind, Metal};
+pub use paints::{Color, Paint};
 pub use parameters::{Parameter, Setting};
 pub use regions::{Edge, Region};
 pub use surfaces::{Kind, SurfaceFormula};
@@ -37,9 +47,9 @@ pub use values::Value;
 
 use super::graph::{Graph, NodeId};
 use crate::diag::{Diagnostic, Severity, Span};
-use crate::syntax::ast::Program;
+use crate::syntax::ast::{Attribute, Program};
 use names::{DeclarationKind, Names};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// What is said from outside the program.
 #[derive(Clone, Debug, Default)]
@@ -72,6 +82,10 @@ pub struct Lowered {
     pub definitions: Vec<Definition>,
     /// The parameters, in the order of the statements.
     pub parameters: Vec<Parameter>,
+    /// The lights that are no surfaces, in the order of the statements.
+    pub lights: Vec<Light>,
+    /// The sky block.
+    pub sky: Option<Sky>,
     /// The camera block.
     pub camera: Option<Camera>,
     /// The render block.
@@ -113,6 +127,7 @@ pub fn lower(program: &Program, settings: &Settings) -> Lowered {
     let mut lowerer = Lowerer::new(names, settings, diagnostics);
     lowerer.definitions();
     lowerer.check_settings();
+    lowerer.name_materials(program);
     lowerer.statements(program);
     lowerer.check_uncalled();
     let mut lowered = lowerer.finish();
@@ -148,6 +163,10 @@ struct Lowerer<'a> {
     calls: HashMap<(usize, Vec<Argument>), (Reporting<Value>, bool)>,
     /// Whether a coordinate was met in the text being lowered: folding may leave nothing of it in the graph.
     met_coordinate: bool,
+    /// The materials by name: the name's place and the entries.
+    materials: BTreeMap<&'a str, (Span, &'a [Attribute])>,
+    /// Where the first sky stands.
+    first_sky: Option<Span>,
     /// The node under the root of each vector's length.
     squares_of_lengths: HashMap<NodeId, NodeId>,
     /// The depth of each node.
@@ -172,6 +191,8 @@ impl<'a> Lowerer<'a> {
             frame: 0,
             calls: HashMap::new(),
             met_coordinate: false,
+            materials: BTreeMap::new(),
+            first_sky: None,
             squares_of_lengths: HashMap::new(),
             depths: Vec::new(),
             depth: 0,

@@ -87,6 +87,9 @@ impl<'a> Lowerer<'a> {
 
     /// An expression whose value is a finite number known before drawing.
     pub(super) fn known_number(&mut self, expr: &'a Expr, what: &str) -> Reporting<f64> {
+        if let Some(value) = super::entries::literal(expr) {
+            return Ok(value);
+        }
         let node = self.number(expr)?;
         self.known(node, expr.span, what)
     }

@@ -2,7 +2,8 @@
 //!
 //! In: equations, regions and their attributes. Out: for each the function whose zeros are drawn, as it was written.
 
-use super::blocks::{Clip, Color};
+use super::clips::Clip;
+use super::matter::Matter;
 use super::names::DeclarationKind;
 use super::values::{Placed, Side, Value};
 use super::{Lowerer, Reporting, cut};
@@ -20,8 +21,8 @@ pub struct SurfaceFormula {
     pub kind: Kind,
     /// The attribute `name`.
     pub name: Option<String>,
-    /// The attribute `color`.
-    pub color: Option<Color>,
+    /// What it is made of.
+    pub matter: Matter,
     /// The attribute `clip`.
     pub clip: Option<Clip>,
     /// The statement.
@@ -38,6 +39,25 @@ pub enum Kind {
     /// A number that hangs on nothing: it can be evaluated, and there is nothing to draw.
     Number,
 }
+
+/// The entries behind a surface; those of a material are among them.
+const OF_SURFACE: [&str; 15] = [
+    "color",
+    "material",
+    "kind",
+    "roughness",
+    "ior",
+    "metal",
+    "n",
+    "k",
+    "absorption",
+    "emission",
+    "opacity",
+    "inside",
+    "priority",
+    "clip",
+    "name",
+];
 
 impl<'a> Lowerer<'a> {
     /// Lowers everything that is no declaration, in the order of the text.
@@ -75,6 +95,19 @@ impl<'a> Lowerer<'a> {
         let attributes = self.surface_attributes(attributes);
         let Ok((f, kind)) = formula else { return };
         self.draw(SurfaceFormula { f, kind, span, ..attributes });
+    }
+
+    /// The attributes of a surface, in a formula whose other fields are to be filled in.
+    fn surface_attributes(&mut self, attributes: &'a [Attribute]) -> SurfaceFormula {
+        self.check_keys(attributes, "a surface", &OF_SURFACE);
+        let clip = self.entry(attributes, "clip").map(|attribute| self.clip(attribute));
+        let name = self.entry(attributes, "name").map(|attribute| self.text(attribute));
+        SurfaceFormula {
+            clip: clip.and_then(Result::ok),
+            name: name.and_then(Result::ok),
+            matter: self.matter_of_surface(attributes),
+            ..SurfaceFormula::plain(NodeId(0), Kind::Equation, Span::default())
+        }
     }
 
     fn draw(&mut self, formula: SurfaceFormula) {
@@ -234,6 +267,6 @@ impl<'a> Lowerer<'a> {
 impl SurfaceFormula {
     /// A formula without attributes.
     pub(super) fn plain(f: NodeId, kind: Kind, span: Span) -> Self {
-        SurfaceFormula { f, kind, name: None, color: None, clip: None, span }
+        SurfaceFormula { f, kind, name: None, matter: Matter::default(), clip: None, span }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::evaluate::value_at;
 use super::{errors, lowered, lowered_with};
-use crate::expr::lower::{Clip, ClipShape, Color, Kind, Value};
+use crate::expr::lower::{Clip, ClipShape, Color, Kind, Paint, Value};
 
 #[test]
 fn surfaces_are_equations_solids_or_numbers() {
@@ -58,13 +58,16 @@ fn attributes_are_kept() {
     let lowered = lowered(text);
     assert!(errors(&lowered).is_empty(), "{:?}", lowered.diagnostics);
     let [wall, solid, plane] = &lowered.surfaces[..] else { panic!("three surfaces") };
-    assert_eq!((wall.color, wall.name.as_deref()), (Some(Color::Srgb([0x44, 0xaa, 0xff])), Some("wall")));
+    assert_eq!(
+        (wall.matter.color.clone(), wall.name.as_deref()),
+        (Some(Paint::Plain(Color::Srgb([0x44, 0xaa, 0xff]))), Some("wall"))
+    );
     let shape = |clip: Option<Clip>| clip.expect("a clip").shape;
     let high = [1.0, 2.0, std::f64::consts::PI];
     assert_eq!(shape(wall.clip), ClipShape::Box { low: [-1.0, -2.0, 0.0], high });
-    assert_eq!(solid.color, Some(Color::Srgb([255, 165, 0])));
+    assert_eq!(solid.matter.color, Some(Paint::Plain(Color::Srgb([255, 165, 0]))));
     assert_eq!(shape(solid.clip), ClipShape::Ball { centre: [0.0, 0.0, 0.5], radius: 2.0 });
-    assert_eq!(plane.color, Some(Color::Linear([1.0, 0.5, 0.0])));
+    assert_eq!(plane.matter.color, Some(Paint::Plain(Color::Linear([1.0, 0.5, 0.0]))));
     let ClipShape::Region(side) = shape(plane.clip) else { panic!("a region") };
     assert!(value_at(&lowered.graph, side, [0.5, 0.5, 9.0]) < 0.0);
     assert!(value_at(&lowered.graph, side, [1.5, 0.5, 9.0]) > 0.0);
