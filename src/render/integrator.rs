@@ -15,6 +15,7 @@ pub fn shade(mode: Mode, scene: &Scene, rays: &[Ray], hits: &[Hit], colours: &mu
     let rays = rays.iter().zip(hits);
     match mode {
         Mode::Studio | Mode::Path | Mode::Light | Mode::Bidirectional => {}
+        Mode::Whitted | Mode::Angle | Mode::End | Mode::Bounces => {}
         Mode::Cosine => colours.extend(rays.map(|(ray, hit)| cosine::colour(scene, ray, hit))),
         Mode::Mirror => colours.extend(rays.map(|(ray, hit)| mirror::colour(scene, ray, hit))),
         Mode::Normal => colours.extend(rays.map(|(_, hit)| data::normal(hit))),

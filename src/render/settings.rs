@@ -23,6 +23,14 @@ pub enum Mode {
     Cost,
     /// What is proven of the pixel.
     Proof,
+    /// Shadows, mirrored and refracted rays.
+    Whitted,
+    /// The angle at which a ray is mirrored.
+    Angle,
+    /// What a ray ends on where all surfaces are mirrors.
+    End,
+    /// How often it is mirrored.
+    Bounces,
     /// Transport of light, by paths from the camera.
     Path,
     /// The same by paths from the lights.
@@ -33,7 +41,7 @@ pub enum Mode {
 
 impl Mode {
     /// All modes with the words that name them.
-    pub const ALL: [(&'static str, Mode); 10] = [
+    pub const ALL: [(&'static str, Mode); 14] = [
         ("studio", Mode::Studio),
         ("cosine", Mode::Cosine),
         ("mirror", Mode::Mirror),
@@ -41,6 +49,10 @@ impl Mode {
         ("depth", Mode::Depth),
         ("cost", Mode::Cost),
         ("proof", Mode::Proof),
+        ("whitted", Mode::Whitted),
+        ("angle", Mode::Angle),
+        ("end", Mode::End),
+        ("bounces", Mode::Bounces),
         ("path", Mode::Path),
         ("light", Mode::Light),
         ("bidirectional", Mode::Bidirectional),
@@ -54,9 +66,9 @@ impl Mode {
     /// How the mode's values are shown on a screen.
     pub fn tone(self) -> Tone {
         match self {
-            Mode::Studio | Mode::Path | Mode::Light | Mode::Bidirectional => Tone::Neutral,
-            Mode::Cosine | Mode::Mirror => Tone::Linear,
-            Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof => Tone::Data,
+            Mode::Studio | Mode::Whitted | Mode::Path | Mode::Light | Mode::Bidirectional => Tone::Neutral,
+            Mode::Cosine | Mode::Mirror | Mode::End => Tone::Linear,
+            Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof | Mode::Angle | Mode::Bounces => Tone::Data,
         }
     }
 
@@ -64,8 +76,8 @@ impl Mode {
     /// is not mixed with its neighbours.
     pub fn default_samples(self) -> u32 {
         match self {
-            Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal => 16,
-            Mode::Depth | Mode::Cost | Mode::Proof => 1,
+            Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal | Mode::Whitted | Mode::Angle | Mode::End => 16,
+            Mode::Depth | Mode::Cost | Mode::Proof | Mode::Bounces => 1,
             Mode::Path | Mode::Light | Mode::Bidirectional => 64,
         }
     }

@@ -12,6 +12,7 @@ use super::studio::glimpse::{Glimpse, Light, Remembered, point};
 use super::studio::{self, backdrop};
 use super::tiles::{Job, Tile};
 use super::trace::Trace;
+use super::trails;
 use super::transport::estimate::Estimator;
 use super::watch::Watch;
 use crate::film::Layer;
@@ -99,7 +100,7 @@ impl<'a, T: Trace> Worker<'a, T> {
             let seen = (&self.samples[..], &self.rays[..], &self.hits[..]);
             gather(self.scene, &self.lights, &mut self.tracer, seen, &mut self.scratch, &mut self.gathered);
         } else {
-            shade(self.settings.mode, self.scene, &self.rays, &self.hits, &mut self.colours);
+            self.shade();
         }
         let remembered = self.rays.iter().zip(&self.hits).zip(&self.gathered);
         let remembered = remembered.map(|((ray, hit), light)| Remembered::new(Glimpse::of(ray, hit), light));
@@ -197,7 +198,24 @@ impl<'a, T: Trace> Worker<'a, T> {
         if self.settings.mode == Mode::Studio {
             self.colour_samples();
         } else {
-            shade(self.settings.mode, self.scene, &self.rays, &self.hits, &mut self.colours);
+            self.shade();
+        }
+    }
+
+    /// Colours the rays looked at last, each by itself.
+    fn shade(&mut self) {
+        let (mode, colours) = (self.settings.mode, &mut self.colours);
+        match mode {
+            Mode::Whitted => {
+                if let Some(estimator) = &mut self.estimator {
+                    estimator.whitted(&mut self.tracer, &self.rays, colours);
+                }
+            }
+            Mode::Angle | Mode::End | Mode::Bounces => {
+                let seen = (&self.rays[..], &self.hits[..]);
+                trails::colours(mode, self.scene, &mut self.tracer, seen, self.settings.bounces, colours);
+            }
+            _ => shade(mode, self.scene, &self.rays, &self.hits, colours),
         }
     }
 

@@ -28,7 +28,7 @@ const MARCH_SHARE: f64 = 1.0 / 256.0;
 const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
 
 /// Modes that the design has and this version does not.
-pub const LATER_MODES: [&str; 5] = ["whitted", "angle", "end", "bounces", "curvature"];
+pub const LATER_MODES: [&str; 1] = ["curvature"];
 
 /// How roots are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -7,11 +7,13 @@ use super::light::{Splat, light_paths, splats};
 use super::lights::Lights;
 use super::media::{Media, Solids};
 use super::world::{Flight, Numbers, Room, World};
-use super::{bidirectional, path};
+use super::{bidirectional, path, whitted};
 use crate::render::filter::{Filter, FilterTable};
+use crate::render::integrator::pixel;
 use crate::render::settings::{Mode, Settings};
 use crate::render::trace::Trace;
 use crate::scene::Scene;
+use crate::surface::Ray;
 use glam::DVec3;
 
 /// What all threads know of a scene's light.
@@ -101,6 +103,31 @@ impl<'a> Estimator<'a> {
         out.extend(self.light.iter().zip(&self.signs).map(|(&light, &sign)| Estimate { light: finite(light), sign }));
     }
 
+    /// The light of rays from the eye in mode `whitted`, as a film keeps it; `colours` is replaced.
+    pub fn whitted<T: Trace>(&mut self, tracer: &mut T, rays: &[Ray], colours: &mut Vec<[f32; 3]>) {
+        let mut flights = Vec::with_capacity(rays.len());
+        for &ray in rays {
+            let media = self.media(tracer, ray.origin);
+            flights.push(Flight::new(ray, media, Numbers::default()));
+        }
+        let mut light = std::mem::take(&mut self.light);
+        let bounces = self.settings.bounces;
+        whitted::radiance(&mut self.world(tracer), &flights, bounces, &mut light);
+        colours.clear();
+        colours.extend(light.iter().map(|&light| pixel(light)));
+        self.light = light;
+    }
+
+    /// The media at the start of a ray from the eye.
+    fn media<T: Trace>(&mut self, tracer: &mut T, start: DVec3) -> Media {
+        let media = match self.eye {
+            Some(media) if !self.scene.camera.is_parallel() => media,
+            _ => self.world(tracer).media_at(start),
+        };
+        self.eye = Some(media);
+        media
+    }
+
     /// What the last samples show elsewhere in the picture: pixels with their share of light, for one sample a pixel.
     pub fn shown(&self, mut take: impl FnMut((u32, u32), DVec3)) {
         let (size, filter) = (self.settings.size, &self.illumination.filter);
@@ -135,11 +162,7 @@ impl<'a> Estimator<'a> {
             let sign = if self.settings.samples < SIGNED { 1.0 } else { sign };
             let ray =
                 self.scene.camera.ray(size.width(), size.height(), f64::from(i) + 0.5 + x, f64::from(j) + 0.5 + y);
-            let media = match self.eye {
-                Some(media) if !self.scene.camera.is_parallel() => media,
-                _ => self.world(tracer).media_at(ray.origin),
-            };
-            self.eye = Some(media);
+            let media = self.media(tracer, ray.origin);
             self.flights.push(Flight::new(ray, media, numbers));
             self.signs.push(sign);
         }

@@ -125,7 +125,8 @@ impl Lights {
         let (center, radius) = surroundings(scene);
         let mut list: Vec<Emitter> = scene.lights.iter().map(emitter).collect();
         let mut of_surface = vec![None; scene.materials.len()];
-        for (surface, material) in scene.materials.iter().enumerate().filter(|(_, material)| material.is_glowing()) {
+        let is_glowing = |surface: &usize| scene.materials[*surface].is_glowing();
+        for surface in (0..scene.materials.len()).filter(is_glowing) {
             of_surface[surface] = Some(list.len());
             let (center, radius) = scene.bounds[surface];
             list.push(Emitter::Glow { surface: surface as u32, center, radius });

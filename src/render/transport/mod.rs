@@ -10,6 +10,7 @@
 //! - [`vertex`]: where a path scatters; [`bsdf`]: how.
 //! - [`path`]: paths from the camera.
 //! - [`light`]: paths from the lights; [`bidirectional`]: both, joined, weighed by [`balance`].
+//! - [`whitted`]: sharp rays only, none by chance.
 //! - [`estimate`]: samples of pixels, by whichever of them.
 
 pub mod balance;
@@ -24,4 +25,5 @@ pub mod sky;
 pub mod sobol;
 pub mod vertex;
 pub mod warp;
+pub mod whitted;
 pub mod world;

@@ -24,6 +24,10 @@ pub struct Vertex {
     pub wo: DVec3,
     /// How it scatters.
     pub bsdf: Bsdf,
+    /// Albedo or tint.
+    pub color: DVec3,
+    /// The refractive index behind over that in front; 1 where nothing is clear.
+    pub relative_ior: f64,
     /// The light emitted towards where the path comes from.
     pub emission: DVec3,
     /// What was hit.
@@ -130,5 +134,6 @@ fn vertex<T: Trace>(
     let bsdf = Bsdf::new(&world.material(&hit).kind, matter.color, matter.roughness, relative_ior);
     let media = boundary.map_or([flight.media; 2], |boundary| [boundary.before, boundary.after]);
     let Flight { ray, passes, .. } = *flight;
-    Vertex { path, point, frame, wo, bsdf, emission: matter.emission, hit, ray, media, starts, passes }
+    let Matter { color, emission, .. } = *matter;
+    Vertex { path, point, frame, wo, bsdf, color, relative_ior, emission, hit, ray, media, starts, passes }
 }
