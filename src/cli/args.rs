@@ -119,10 +119,12 @@ pub struct RenderArgs {
     /// As `--box`; both together show what is in both.
     #[arg(long, value_name = "X,Y,Z,R", value_parser = ball, allow_hyphen_values = true)]
     pub ball: Option<BallArg>,
-    /// studio cosine mirror normal depth cost proof
+    /// studio path cosine mirror normal depth proof ...
     ///
-    /// What the colours say: a look that flatters any surface (the default); the cosine of the angle between normal and
-    /// light; the same after a mirror; the normal; the distance; how many enclosures a ray took; what is proven.
+    /// What the colours say. `studio`: a look that flatters any surface (the default). `cosine`: the cosine of the angle
+    /// between normal and light; `mirror`: the same after a mirror; `angle`, `end`, `bounces`: what becomes of rays where all is
+    /// a mirror. `whitted`, `path`, `light`, `bidirectional`: light, followed. `normal`, `depth`, `cost`, `proof`: what the
+    /// tracer knows. `curvature`: eggs red, saddles blue.
     #[arg(long, value_name = "MODE", value_parser = mode)]
     pub mode: Option<Mode>,
     /// faithful (the default, misses no root) or march

@@ -11,7 +11,6 @@ use crate::num::rational::Rational;
 use crate::render::filter::Filter;
 use crate::render::{Background, Mode};
 use crate::scene::colour::from_bytes;
-use crate::session::plan::LATER_MODES;
 
 /// The most threads that are started, whatever is asked for.
 pub const MAX_THREADS: usize = 1024;
@@ -291,15 +290,7 @@ pub fn background(text: &str) -> Result<Background, String> {
 /// # Errors
 /// That there is none, with those there are.
 pub fn mode(name: &str) -> Result<Mode, String> {
-    if let Some(mode) = Mode::from_name(name) {
-        return Ok(mode);
-    }
-    let names: Vec<&str> = Mode::ALL.iter().map(|(name, _)| *name).collect();
-    let known = names.join(", ");
-    match LATER_MODES.contains(&name) {
-        true => Err(format!("the mode '{name}' is not built yet; there are {known}")),
-        false => Err(format!("there is no mode '{}'; there are {known}", shown(name))),
-    }
+    Mode::from_name(name).ok_or_else(|| unknown("mode", name, &Mode::ALL))
 }
 
 #[cfg(test)]
@@ -324,7 +315,7 @@ mod tests {
         assert!(setting("θ_1=2").is_ok());
         assert_eq!((whole::<1, 9>(" 9 "), whole::<0, { u64::MAX }>("0")), (Ok(9), Ok(0)));
         assert!(["", "x", "-1", "1.5", "0", "10"].into_iter().all(|text| whole::<1, 9>(text).is_err()));
-        assert!(mode("whitted").unwrap_err().contains("not built yet"));
+        assert!(mode("curvature").is_ok() && mode("radiosity").unwrap_err().contains("no mode 'radiosity'"));
     }
     #[test]
     fn numbers_written_in_another_way_are_shown_in_ours() {

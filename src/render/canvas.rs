@@ -9,6 +9,7 @@ use super::studio::glimpse::Remembered;
 use super::tiles::{Drawing, Pass, Report, Tile};
 use crate::film::{Layer, Size};
 use crate::surface::{Counts, Hit};
+use glam::DVec3;
 use std::sync::{Mutex, MutexGuard};
 
 /// What all threads write to, under one lock that is held for a copy at a time.
@@ -24,7 +25,15 @@ pub struct Canvas {
     edges: Vec<Vec<Edge>>,
     /// The samples of the modes that follow light, added up, and their signs.
     light: Option<Layer<[f64; 4]>>,
+    /// What paths from the lights show, in steps of [`STEP`]: whole numbers, whose sum is the same in any order.
+    shown: Option<Layer<[i128; 3]>>,
 }
+
+/// The steps in which light is added that comes to a pixel from any thread: 2^−60, and 2^67 at most.
+const STEP: f64 = 1.0 / (1u64 << 60) as f64;
+
+/// The least share of the samples that signs may add up to; a pixel with less keeps what the last pass showed.
+const LEAST_SIGNS: f64 = 0.25;
 
 /// A pixel that gets more samples than one.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +69,7 @@ impl Canvas {
             squares: None,
             edges: Vec::new(),
             light: settings.mode.is_transport().then(|| Layer::filled(size, [0.0; 4])),
+            shown: matches!(settings.mode, Mode::Light | Mode::Bidirectional).then(|| Layer::filled(size, [0; 3])),
         }
     }
 
@@ -159,11 +169,28 @@ impl Canvas {
         }
     }
 
-    /// Puts the means of all samples into the picture.
-    pub fn show_light(&mut self) {
+    /// Adds light to a pixel of any tile.
+    pub fn add_shown(&mut self, (i, j): (u32, u32), light: DVec3) {
+        if let Some(shown) = &mut self.shown {
+            let mut sum = shown.at(i, j);
+            sum.iter_mut()
+                .zip(light.to_array())
+                .for_each(|(sum, light)| *sum = sum.saturating_add((light / STEP) as i128));
+            shown.set(i, j, sum);
+        }
+    }
+
+    /// Puts the means of so many samples into the picture.
+    pub fn show_light(&mut self, samples: u32) {
         let Some(light) = &self.light else { return };
-        for (pixel, &[r, g, b, signs]) in self.drawing.picture.values.iter_mut().zip(&light.values) {
-            *pixel = [r, g, b].map(|sum| (sum / signs) as f32);
+        for (k, (pixel, &[r, g, b, signs])) in self.drawing.picture.values.iter_mut().zip(&light.values).enumerate() {
+            if signs.abs() < LEAST_SIGNS * f64::from(samples) {
+                continue;
+            }
+            let shown = self.shown.as_ref().map_or([0; 3], |shown| shown.values[k]);
+            let shown = shown.map(|sum| sum as f64 * STEP / f64::from(samples));
+            let seen = [r, g, b].map(|sum| sum / signs);
+            *pixel = std::array::from_fn(|c| (seen[c] + shown[c]) as f32);
         }
     }
 

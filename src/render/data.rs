@@ -44,7 +44,12 @@ pub fn cost(hit: &Hit) -> [f32; 3] {
     let count = hit.cost + 1;
     let power = count.ilog2();
     let logarithm = power as f32 + (count as f32 / (1u32 << power) as f32 - 1.0);
-    let place = (logarithm / MAX_COST_POWER).clamp(0.0, 1.0) * 4.0;
+    scale(f64::from(logarithm / MAX_COST_POWER))
+}
+
+/// The colour of a share of 0..=1, from violet over green to yellow.
+pub fn scale(share: f64) -> [f32; 3] {
+    let place = share.clamp(0.0, 1.0) as f32 * 4.0;
     let (index, share) = ((place as usize).min(3), place - (place as usize).min(3) as f32);
     std::array::from_fn(|c| {
         let (a, b) = (f32::from(VIRIDIS[index][c]), f32::from(VIRIDIS[index + 1][c]));

@@ -16,7 +16,8 @@ pub fn shade(mode: Mode, scene: &Scene, rays: &[Ray], hits: &[Hit], colours: &mu
     let sides = sides.into_iter();
     let rays = rays.iter().zip(hits);
     match mode {
-        Mode::Studio | Mode::Path => {}
+        Mode::Studio | Mode::Path | Mode::Light | Mode::Bidirectional => {}
+        Mode::Whitted | Mode::Angle | Mode::End | Mode::Bounces => {}
         Mode::Cosine => colours.extend(rays.zip(sides).map(|((ray, hit), side)| cosine::colour(scene, ray, hit, side))),
         Mode::Mirror => colours.extend(rays.zip(sides).map(|((ray, hit), side)| mirror::colour(scene, ray, hit, side))),
         Mode::Curvature => colours.extend(rays.zip(sides).map(|((ray, hit), side)| data::curvature(ray, hit, side))),

@@ -12,6 +12,7 @@
 //! - [`filter`]: how much a place counts in a pixel.
 //! - [`sampling`]: where in a pixel the rays go, and when they are enough.
 //! - [`integrator`]: from hits to light, by mode: [`cosine`], [`mirror`], [`studio`], [`data`].
+//! - [`trails`]: what becomes of rays among mirrors.
 //! - [`transport`]: whole paths of light.
 
 pub mod canvas;
@@ -26,6 +27,7 @@ pub mod settings;
 pub mod studio;
 pub mod tiles;
 pub mod trace;
+pub mod trails;
 pub mod transport;
 pub mod watch;
 pub mod worker;

@@ -28,13 +28,25 @@ pub enum Mode {
     Proof,
     /// Gauss curvature.
     Curvature,
+    /// Shadows, mirrored and refracted rays.
+    Whitted,
+    /// The angle at which a ray is mirrored.
+    Angle,
+    /// What a ray ends on where all surfaces are mirrors.
+    End,
+    /// How often it is mirrored.
+    Bounces,
     /// Transport of light, by paths from the camera.
     Path,
+    /// The same by paths from the lights.
+    Light,
+    /// The same by both.
+    Bidirectional,
 }
 
 impl Mode {
     /// All modes with the words that name them.
-    pub const ALL: [(&'static str, Mode); 9] = [
+    pub const ALL: [(&'static str, Mode); 15] = [
         ("studio", Mode::Studio),
         ("cosine", Mode::Cosine),
         ("mirror", Mode::Mirror),
@@ -43,7 +55,13 @@ impl Mode {
         ("cost", Mode::Cost),
         ("proof", Mode::Proof),
         ("curvature", Mode::Curvature),
+        ("whitted", Mode::Whitted),
+        ("angle", Mode::Angle),
+        ("end", Mode::End),
+        ("bounces", Mode::Bounces),
         ("path", Mode::Path),
+        ("light", Mode::Light),
+        ("bidirectional", Mode::Bidirectional),
     ];
 
     /// The mode of a name.
@@ -54,9 +72,9 @@ impl Mode {
     /// How the mode's values are shown on a screen.
     pub fn tone(self) -> Tone {
         match self {
-            Mode::Studio | Mode::Path => Tone::Neutral,
-            Mode::Cosine | Mode::Mirror | Mode::Curvature => Tone::Linear,
-            Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof => Tone::Data,
+            Mode::Studio | Mode::Whitted | Mode::Path | Mode::Light | Mode::Bidirectional => Tone::Neutral,
+            Mode::Cosine | Mode::Mirror | Mode::End | Mode::Curvature => Tone::Linear,
+            Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof | Mode::Angle | Mode::Bounces => Tone::Data,
         }
     }
 
@@ -64,9 +82,16 @@ impl Mode {
     /// is not mixed with its neighbours.
     pub fn default_samples(self) -> u32 {
         match self {
-            Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal | Mode::Curvature => 16,
-            Mode::Depth | Mode::Cost | Mode::Proof => 1,
-            Mode::Path => 64,
+            Mode::Studio
+            | Mode::Cosine
+            | Mode::Mirror
+            | Mode::Normal
+            | Mode::Whitted
+            | Mode::Angle
+            | Mode::End
+            | Mode::Curvature => 16,
+            Mode::Depth | Mode::Cost | Mode::Proof | Mode::Bounces => 1,
+            Mode::Path | Mode::Light | Mode::Bidirectional => 64,
         }
     }
 
@@ -82,7 +107,7 @@ impl Mode {
 
     /// Whether its pictures are means over paths of light: every pixel has all samples.
     pub fn is_transport(self) -> bool {
-        matches!(self, Mode::Path)
+        matches!(self, Mode::Path | Mode::Light | Mode::Bidirectional)
     }
 }
 

@@ -111,7 +111,8 @@ pub fn draw<T: Trace>(
     watch: &dyn Watch,
 ) -> Result<Drawing, Failure> {
     let canvas = Mutex::new(Canvas::new(settings));
-    let illumination = settings.mode.is_transport().then(|| Illumination::new(scene, settings.filter));
+    let illumination = (settings.mode.is_transport() || settings.mode == Mode::Whitted)
+        .then(|| Illumination::new(scene, settings.filter));
     let illumination = illumination.as_ref();
     let job = Job { scene, settings, make_tracer, watch, canvas: &canvas, illumination, total: pieces(settings) };
     let end = job.all_passes();
@@ -282,7 +283,7 @@ impl<'a, T: Trace> Job<'a, T> {
             let mut start = 0;
             for end in light_passes(self.settings) {
                 pass(&tiles, &|worker, tile| worker.shine(tile, start..end), true)?;
-                lock(self.canvas).show_light();
+                lock(self.canvas).show_light(end);
                 if end < self.settings.samples {
                     self.passed(Pass::Samples(end));
                 }

@@ -12,6 +12,7 @@ use super::studio::glimpse::{Glimpse, Light, Remembered, point};
 use super::studio::{self, Seen, backdrop};
 use super::tiles::{Job, Tile};
 use super::trace::Trace;
+use super::trails;
 use super::transport::estimate::Estimator;
 use super::watch::Watch;
 use crate::film::Layer;
@@ -174,6 +175,9 @@ impl<'a, T: Trace> Worker<'a, T> {
                 let each = pixels.iter().flat_map(|&pixel| samples.clone().map(move |sample| (pixel, sample)));
                 let each: Vec<((u32, u32), u32)> = each.collect();
                 estimator.estimate(&mut self.tracer, &each, &mut estimates);
+                let mut canvas = lock(self.canvas);
+                estimator.shown(|pixel, light| canvas.add_shown(pixel, light));
+                drop(canvas);
                 for (sum, estimates) in sums.iter_mut().zip(estimates.chunks(samples.len())) {
                     for estimate in estimates {
                         let light = estimate.light * estimate.sign;
@@ -205,12 +209,30 @@ impl<'a, T: Trace> Worker<'a, T> {
 
     /// Colours the rays looked at last, each by itself.
     fn shade(&mut self) {
-        shade(self.settings.mode, self.scene, &self.rays, &self.hits, &mut self.colours);
-        if self.settings.background == Background::Own {
+        let (mode, colours) = (self.settings.mode, &mut self.colours);
+        match mode {
+            Mode::Whitted => {
+                if let Some(estimator) = &mut self.estimator {
+                    estimator.whitted(&mut self.tracer, &self.rays, colours);
+                }
+            }
+            Mode::Angle | Mode::End | Mode::Bounces => {
+                let seen = (&self.rays[..], &self.hits[..]);
+                trails::colours(mode, self.scene, &mut self.tracer, seen, self.settings.bounces, colours);
+            }
+            _ => shade(mode, self.scene, &self.rays, &self.hits, colours),
+        }
+        self.lay_behind();
+    }
+
+    /// Puts what is behind the surfaces where nothing was hit, if it was asked for.
+    fn lay_behind(&mut self) {
+        let background = self.settings.background;
+        if background == Background::Own {
             return;
         }
         for ((colour, ray), hit) in self.colours.iter_mut().zip(&self.rays).zip(&self.hits) {
-            if let (false, Some(behind)) = (hit.is_drawn(), behind(self.settings.background, self.scene, ray)) {
+            if let (false, Some(behind)) = (hit.is_drawn(), behind(background, self.scene, ray)) {
                 *colour = pixel(behind);
             }
         }

@@ -26,6 +26,22 @@ pub enum Projection {
     },
 }
 
+/// So many pixels outside the picture a filter may still reach it.
+const MARGIN: f64 = 2.0;
+
+/// How the eye sees a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// In pixels from the picture's upper left corner.
+    pub place: [f64; 2],
+    /// From the point to the eye, or to the plane that parallel rays come from.
+    pub direction: DVec3,
+    /// How far that is.
+    pub distance: f64,
+    /// How many pixels a unit of solid angle around the ray takes; of parallel rays, a unit of area over the square of the distance.
+    pub pixels_per_solid_angle: f64,
+}
+
 /// An eye with its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -117,6 +133,33 @@ impl Camera {
     /// Whether all rays have one direction.
     pub fn is_parallel(&self) -> bool {
         self.is_parallel
+    }
+
+    /// How the eye sees a point; `None` if it is behind the eye or outside the picture by more than a few pixels.
+    pub fn see(&self, width: u32, height: u32, point: DVec3) -> Option<Seen> {
+        let (w, h) = (f64::from(width), f64::from(height));
+        let from_eye = point - self.eye;
+        let depth = from_eye.dot(self.forward);
+        if depth <= 0.0 {
+            return None;
+        }
+        let scale = self.half_height * if self.is_parallel { 1.0 } else { depth };
+        let (sx, sy) = (from_eye.dot(self.right) / scale, from_eye.dot(self.up) / scale);
+        let place = [(sx * (h / w) + 1.0) * 0.5 * w, (1.0 - sy) * 0.5 * h];
+        let is_near = |place: f64, end: f64| place > -MARGIN && place < end + MARGIN;
+        if !(is_near(place[0], w) && is_near(place[1], h)) {
+            return None;
+        }
+        let pixel = 2.0 * self.half_height / h;
+        if self.is_parallel {
+            let pixels_per_solid_angle = depth * depth / (pixel * pixel);
+            return Some(Seen { place, direction: -self.forward, distance: depth, pixels_per_solid_angle });
+        }
+        let distance = from_eye.length();
+        let cosine = depth / distance;
+        // A pixel's area at distance 1 along the axis, seen under the cosine and from 1/cosine away.
+        let pixels_per_solid_angle = 1.0 / (pixel * pixel * cosine * cosine * cosine);
+        Some(Seen { place, direction: -from_eye / distance, distance, pixels_per_solid_angle })
     }
 
     /// How wide a pixel is in the world at distance t on its ray, in a picture of `height` pixels.

@@ -32,9 +32,6 @@ const MARCH_SHARE: f64 = 1.0 / 256.0;
 /// How far outside the region the sign of f is read, in radii: anywhere outside a bounded surface has the same.
 const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
 
-/// Modes that the design has and this version does not.
-pub const LATER_MODES: [&str; 6] = ["whitted", "angle", "end", "bounces", "light", "bidirectional"];
-
 /// How roots are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Method {
@@ -251,7 +248,7 @@ fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
     };
     let mode = match (wishes.mode, block.and_then(|render| render.mode.as_ref())) {
         (Some(mode), _) => mode,
-        (None, Some(written)) => Mode::from_name(&written.name).ok_or_else(|| unknown_mode(written))?,
+        (None, Some(word)) => Mode::from_name(&word.name).ok_or_else(|| unknown(word, "mode", &Mode::ALL))?,
         (None, None) => Mode::default(),
     };
     let tone = match (wishes.tone, block.and_then(|render| render.tonemap.as_ref())) {
@@ -316,17 +313,6 @@ fn unknown<T>(word: &lower::Word, what: &str, all: &[(&'static str, T)]) -> Refu
     let name = crate::diag::printable(&word.name, 40);
     let diagnostic = Diagnostic::error(word.span, format!("there is no {what} '{name}'"));
     Refusal::Program(vec![diagnostic.help(format!("there are {}", names.join(", ")))])
-}
-
-fn unknown_mode(written: &lower::Word) -> Refusal {
-    let names: Vec<&str> = Mode::ALL.iter().map(|(name, _)| *name).collect();
-    let name = crate::diag::printable(&written.name, 40);
-    let message = match LATER_MODES.contains(&written.name.as_str()) {
-        true => format!("the mode '{name}' is not built yet"),
-        false => format!("there is no mode '{name}'"),
-    };
-    let diagnostic = Diagnostic::error(written.span, message).help(format!("there are {}", names.join(", ")));
-    Refusal::Program(vec![diagnostic])
 }
 
 /// Refuses a region that the square of a distance in it overflows for.

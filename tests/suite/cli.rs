@@ -39,7 +39,6 @@ const ROWS: &[(&str, i32, &str)] = &[
     ("x^2+y^2+z^2=1|-o|.", 2, "must end in .png"),
     ("x^2+y^2+z^2=1|-o|a.webp|-s|16385x1", 2, "at most 16384 pixels a side"),
     ("x^2+y^2+z^2=1|-o|a.jpg|-s|65536x1", 2, "at most 65535 pixels a side"),
-    ("x^2+y^2+z^2=1|-o|a.png|--mode|whitted", 2, "not built yet"),
     ("x^2+y^2+z^2=1|-o|a.png|--mode|nice", 2, "no mode 'nice'"),
     ("x^2+y^2+z^2=1|-o|a.png|--tonemap|filmic", 2, "there is no tone curve 'filmic'; there are neutral, agx, none"),
     ("x^2+y^2+z^2=1|-o|a.png|--filter|sinc", 2, "there is no filter 'sinc'; there are box, gaussian, mitchell"),

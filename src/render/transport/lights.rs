@@ -125,7 +125,8 @@ impl Lights {
         let (center, radius) = surroundings(scene);
         let mut list: Vec<Emitter> = scene.lights.iter().map(emitter).collect();
         let mut of_surface = vec![None; scene.materials.len()];
-        for (surface, material) in scene.materials.iter().enumerate().filter(|(_, material)| material.is_glowing()) {
+        let is_glowing = |surface: &usize| scene.materials[*surface].is_glowing();
+        for surface in (0..scene.materials.len()).filter(is_glowing) {
             of_surface[surface] = Some(list.len());
             let (center, radius) = scene.bounds[surface];
             list.push(Emitter::Glow { surface: surface as u32, center, radius });
@@ -184,7 +185,8 @@ impl Lights {
         if cosine > 0.0 { (radiance, cosine.min(1.0)) } else { (DVec3::ZERO, 1.0) }
     }
 
-    fn choice(&self, emitter: usize) -> f64 {
+    /// How likely an emitter is chosen.
+    pub fn choice(&self, emitter: usize) -> f64 {
         self.sums[emitter] - if emitter == 0 { 0.0 } else { self.sums[emitter - 1] }
     }
 
@@ -421,4 +423,45 @@ fn toward_ball(from: DVec3, center: DVec3, radius: f64, u: [f64; 2]) -> Option<(
     let cap = cap_of_ball(from, center, radius)?;
     let axis = (center - from).normalize();
     Some((Frame::around(axis).world_from_local(in_cone(cap, u)), cone_density(cap)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::transport::world::Numbers;
+
+    fn of_ball() -> Lights {
+        let (center, radius, radiance) = (DVec3::new(0.0, 0.0, 3.0), 0.5, DVec3::ONE);
+        Lights {
+            list: vec![Emitter::Ball { center, radius, radiance }],
+            sums: vec![1.0],
+            balls: vec![0],
+            far: Vec::new(),
+            of_surface: Vec::new(),
+            center: DVec3::ZERO,
+            radius: 5.0,
+        }
+    }
+
+    #[test]
+    fn a_ball_gives_the_irradiance_of_its_solid_angle() {
+        let lights = of_ball();
+        let n = 65536;
+        let (mut sought, mut sent) = (0.0, 0.0);
+        for sample in 0..n {
+            let numbers = Numbers { pixel: 1, sample, seed: 0 };
+            let toward = lights.toward(DVec3::ZERO, numbers.at(0), numbers.at(1)).unwrap();
+            assert!(toward.distance < 3.0 && toward.distance >= 2.5, "{toward:?}");
+            sought += toward.radiance.x * toward.direction.z / toward.pdf;
+            let emitted = lights.emit(numbers.at(0), numbers.at(1), numbers.at(2), 0.5).unwrap();
+            let t = -emitted.ray.origin.z / emitted.ray.direction.z;
+            let at = emitted.ray.at(t);
+            if t > 0.0 && at.x.abs() < 1.0 && at.y.abs() < 1.0 {
+                sent += emitted.power.x;
+            }
+        }
+        let (sought, sent) = (sought / f64::from(n), sent / f64::from(n));
+        println!("{sought} {} {sent}", PI * 0.25 / 9.0);
+        assert!((sought - PI * 0.25 / 9.0).abs() < 1e-4);
+    }
 }

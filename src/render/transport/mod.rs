@@ -9,10 +9,15 @@
 //! - [`world`]: what flights meet: surfaces, balls of light, nothing.
 //! - [`vertex`]: where a path scatters; [`bsdf`]: how.
 //! - [`path`]: paths from the camera.
+//! - [`light`]: paths from the lights; [`bidirectional`]: both, joined, weighed by [`balance`].
+//! - [`whitted`]: sharp rays only, none by chance.
 //! - [`estimate`]: samples of pixels, by whichever of them.
 
+pub mod balance;
+pub mod bidirectional;
 pub mod bsdf;
 pub mod estimate;
+pub mod light;
 pub mod lights;
 pub mod media;
 pub mod path;
@@ -20,4 +25,5 @@ pub mod sky;
 pub mod sobol;
 pub mod vertex;
 pub mod warp;
+pub mod whitted;
 pub mod world;

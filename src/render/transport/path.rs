@@ -12,10 +12,10 @@ use crate::render::trace::Trace;
 use glam::DVec3;
 
 /// Dimensions a scattering event takes.
-const DIMENSIONS: u32 = 4;
+pub(super) const DIMENSIONS: u32 = 4;
 
 /// The first of them: before come the place in the pixel and what else is chosen at the eye.
-const FIRST_DIMENSION: u32 = 2;
+pub(super) const FIRST_DIMENSION: u32 = 2;
 
 /// After so many events a path goes on only with a probability, its throughput's (Arvo and Kirk 1990, "Particle transport and image
 /// synthesis").
@@ -25,7 +25,7 @@ const SURE_EVENTS: u32 = 4;
 const LEAST_SURVIVAL: f64 = 0.05;
 
 /// A ray that ends at a place is looked at to just before it: the place is known to a few units of rounding.
-const SHORT_OF_TARGET: f64 = 1.0 - 1e-11;
+pub(super) const SHORT_OF_TARGET: f64 = 1.0 - 1e-11;
 
 /// A path on its way.
 #[derive(Clone, Copy, Debug)]

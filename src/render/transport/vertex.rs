@@ -2,7 +2,8 @@
 //!
 //! In: a flight and the surface it met. Out: the frame, the bsdf, the light emitted there, and how a path goes on on either side.
 
-use super::bsdf::{Bsdf, Transport};
+use super::balance::Balance;
+use super::bsdf::{Bsdf, Sample, Transport};
 use super::media::{Boundary, Media};
 use super::warp::Frame;
 use super::world::{Flight, Matter, Met, Numbers, World};
@@ -23,6 +24,10 @@ pub struct Vertex {
     pub wo: DVec3,
     /// How it scatters.
     pub bsdf: Bsdf,
+    /// Albedo or tint.
+    pub color: DVec3,
+    /// The refractive index behind over that in front; 1 where nothing is clear.
+    pub relative_ior: f64,
     /// The light emitted towards where the path comes from.
     pub emission: DVec3,
     /// What was hit.
@@ -38,6 +43,11 @@ pub struct Vertex {
 }
 
 impl Vertex {
+    /// The same point, of another path of a batch.
+    pub fn of_path(self, path: usize) -> Self {
+        Vertex { path, ..self }
+    }
+
     /// The cosine at which the path arrives.
     pub fn cosine(&self) -> f64 {
         self.wo.z
@@ -51,6 +61,15 @@ impl Vertex {
     /// f and the cosine towards a direction of the frame.
     pub fn value(&self, wi: DVec3, transport: Transport) -> DVec3 {
         self.bsdf.value(self.wo, wi, transport) * wi.z.abs()
+    }
+
+    /// How other ways weigh behind this point, of a path that goes on as sampled.
+    pub fn balance_behind(&self, balance: Balance, sample: &Sample) -> Balance {
+        let cosine = sample.wi.z.abs();
+        if sample.is_specular {
+            return balance.reflect(cosine);
+        }
+        balance.scatter(sample.pdf, self.bsdf.reverse_pdf(self.wo, sample.wi), cosine)
     }
 
     /// Where a ray in a direction of the frame starts.
@@ -115,5 +134,6 @@ fn vertex<T: Trace>(
     let bsdf = Bsdf::new(&world.material(&hit).kind, matter.color, matter.roughness, relative_ior);
     let media = boundary.map_or([flight.media; 2], |boundary| [boundary.before, boundary.after]);
     let Flight { ray, passes, .. } = *flight;
-    Vertex { path, point, frame, wo, bsdf, emission: matter.emission, hit, ray, media, starts, passes }
+    let Matter { color, emission, .. } = *matter;
+    Vertex { path, point, frame, wo, bsdf, color, relative_ior, emission, hit, ray, media, starts, passes }
 }

@@ -52,13 +52,15 @@ pub struct Flight {
     pub passes: u32,
     /// How it passes what is partly there.
     pub passing: Passing,
+    /// Up to this distance it passes whatever is partly there.
+    pub sure: f64,
 }
 
 impl Flight {
     /// At the start of a ray.
     pub fn new(ray: Ray, media: Media, numbers: Numbers) -> Self {
         let passing = Passing::ByChance;
-        Flight { ray, media, left: DVec3::ONE, distance: 0.0, numbers, passes: 0, passing }
+        Flight { ray, media, left: DVec3::ONE, distance: 0.0, numbers, passes: 0, passing, sure: 0.0 }
     }
 }
 
@@ -214,6 +216,7 @@ impl<T: Trace> World<'_, T> {
             let flight = &mut flights[k];
             let share = share.x.clamp(0.0, 1.0);
             let passes = match flight.passing {
+                _ if flight.distance + hit.t < flight.sure => true,
                 Passing::ByChance => flight.numbers.at(PASSING + flight.passes)[0] >= share,
                 Passing::ByShare => {
                     flight.left *= 1.0 - share;
