@@ -20,7 +20,7 @@ pub struct Canvas {
     /// What mode `studio` keeps for neighbours.
     pub memory: Option<Layer<Remembered>>,
     /// The colours of the squares that the last pass left, while the next draws over them.
-    squares: Option<(Layer<[f32; 3]>, Option<Layer<f32>>)>,
+    squares: Option<Squares>,
     /// By tile, the pixels that get more samples.
     edges: Vec<Vec<Edge>>,
     /// The samples of the modes that follow light, added up, and their signs.
@@ -34,6 +34,12 @@ const STEP: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// The least share of the samples that signs may add up to; a pixel with less keeps what the last pass showed.
 const LEAST_SIGNS: f64 = 0.25;
+
+/// What a coarse pass drew, one value a square.
+struct Squares {
+    colours: Layer<[f32; 3]>,
+    alpha: Option<Layer<f32>>,
+}
 
 /// A pixel that gets more samples than one.
 #[derive(Clone, Copy, Debug)]
@@ -135,7 +141,8 @@ impl Canvas {
         let values = corners().map(|(i, j)| self.drawing.picture.at(i, j)).collect();
         let of_alpha =
             |alpha: &Layer<f32>| Layer { size: count, values: corners().map(|(i, j)| alpha.at(i, j)).collect() };
-        self.squares = Some((Layer { size: count, values }, self.drawing.alpha.as_ref().map(of_alpha)));
+        let alpha = self.drawing.alpha.as_ref().map(of_alpha);
+        self.squares = Some(Squares { colours: Layer { size: count, values }, alpha });
     }
 
     /// The next pass is finished.
@@ -145,11 +152,11 @@ impl Canvas {
 
     /// The drawing as the last whole pass left it.
     pub fn into_drawing(mut self) -> Drawing {
-        if let (Some((squares, squares_of_alpha)), Pass::Squares(side)) = (&self.squares, self.drawing.pass) {
+        if let (Some(squares), Pass::Squares(side)) = (&self.squares, self.drawing.pass) {
             let size = self.drawing.picture.size;
             for (i, j) in (0..size.height()).flat_map(|j| (0..size.width()).map(move |i| (i, j))) {
-                self.drawing.picture.set(i, j, squares.at(i / side, j / side));
-                if let (Some(alpha), Some(squares)) = (&mut self.drawing.alpha, squares_of_alpha) {
+                self.drawing.picture.set(i, j, squares.colours.at(i / side, j / side));
+                if let (Some(alpha), Some(squares)) = (&mut self.drawing.alpha, &squares.alpha) {
                     alpha.set(i, j, squares.at(i / side, j / side));
                 }
             }

@@ -135,7 +135,7 @@ mod tests {
             (ball, "color: checker(1, red, blue, theta, z)", [-1.0, 0.1, 0.5], blue),
             (ball, "color: mix(red, blue, z)", [0.0, 0.0, 0.25], v(0.75, 0.0, 0.25)),
             (ball, "color: mix(red, green, z)", [0.0, 0.0, 7.0], green),
-            (ball, "color: mix(checker(1, red, blue), mix(blue, green, 1), 0)", [0.5, 0.5, 0.5], blue),
+            (ball, "color: mix(checker(1, red, blue), mix(blue, green, 1), 0)", [0.5, 0.5, 0.5], red),
             (ball, "color: rgb(mean, gauss, nz)", [0.0, 0.0, 2.0], v(0.5, 0.25, 1.0)),
             ("4 = x^2 + y^2 + z^2", "color: rgb(-mean, gauss, -nz)", [0.0, 0.0, 2.0], v(0.5, 0.25, 1.0)),
             ("-3*(x^2 + y^2 + z^2 - 4) = 0", "color: rgb(-mean, gauss, -nz)", [0.0, 0.0, 2.0], v(0.5, 0.25, 1.0)),

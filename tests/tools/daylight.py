@@ -70,7 +70,7 @@ ROWS = [
 
 if __name__ == "__main__":
     print("    /// Sun, turbidity, direction, radiance, by tests/tools/daylight.py.")
-    print(f"    const ROWS: [([f64; 3], f64, [f64; 3], [f64; 3]); {len(ROWS)}] = [")
+    print(f"    const ROWS: [Row; {len(ROWS)}] = [")
     for sun, turbidity, direction in ROWS:
         print(f"        ({list(sun)}, {turbidity}, {list(direction)}, {radiance(sun, turbidity, direction)}),")
     print("    ];")

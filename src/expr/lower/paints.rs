@@ -128,15 +128,12 @@ impl<'a> Lowerer<'a> {
         let parts = self.three_parts(args, signature, span)?;
         let nodes = parts.map(|part| self.number(part));
         let nodes = [nodes[0]?, nodes[1]?, nodes[2]?];
-        let mut known = [None; 3];
-        for (k, part) in parts.into_iter().enumerate() {
-            let amount = match (model, k) {
-                ("rgb", _) => Some(amount),
-                (_, 0) => None,
-                _ => Some(Amount::Share),
-            };
-            known[k] = self.part_of_color(nodes[k], part.span, amount)?;
-        }
+        let amounts = match model {
+            "rgb" => [Some(amount); 3],
+            _ => [None, Some(Amount::Share), Some(Amount::Share)],
+        };
+        let known = [0, 1, 2].map(|k| self.part_of_color(nodes[k], parts[k].span, amounts[k]));
+        let known = [known[0]?, known[1]?, known[2]?];
         Ok(match (model, known) {
             ("rgb", [Some(r), Some(g), Some(b)]) => Paint::Plain(Color::Linear([r, g, b])),
             ("hsl", [Some(h), Some(s), Some(l)]) => {
