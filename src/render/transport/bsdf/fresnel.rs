@@ -29,6 +29,26 @@ pub fn dielectric(cosine: f64, ior: f64) -> f64 {
     0.5 * (s + p)
 }
 
+/// Gauss's nodes and weights for ∫ 2x·f(x) dx over 0..1, exact for polynomials of degree 11 (Abramowitz and Stegun, section 25.4.33 with
+/// k = 1): means over all directions x, weighted by their cosine.
+const MEAN: [(f64, f64); 6] = [
+    (0.073_054_328_680_258_88, 0.017_476_603_627_219_065),
+    (0.230_766_137_969_945_5, 0.087_910_331_101_017_95),
+    (0.441_328_481_228_449_86, 0.197_322_301_781_310_52),
+    (0.663_015_309_718_845_7, 0.281_585_107_576_397_9),
+    (0.851_921_400_331_515_8, 0.271_084_994_463_037_24),
+    (0.970_683_572_840_215_1, 0.144_620_661_451_017_37),
+];
+
+/// The mean share that clear media reflect over all directions, weighted by their cosine.
+pub fn average_dielectric(ior: f64) -> f64 {
+    if ior < 1.0 {
+        // What leaves the denser side is what enters there, over the square of the index: the cone is so much narrower.
+        return 1.0 - (1.0 - average_dielectric(1.0 / ior)) * ior * ior;
+    }
+    MEAN.iter().map(|&(cosine, weight)| dielectric(cosine, ior) * weight).sum()
+}
+
 /// The share that a metal reflects, of one colour (Born and Wolf, "Principles of Optics", section 14.2, in real numbers as in
 /// Lagarde 2013, "Memo on Fresnel equations").
 pub fn conductor(cosine: f64, n: f64, k: f64) -> f64 {
@@ -51,19 +71,6 @@ pub enum Metallic {
     Tint(DVec3),
 }
 
-/// The mean over all directions, weighted by their cosine.
-fn average(share: impl Fn(f64) -> DVec3) -> DVec3 {
-    AVERAGE.iter().map(|&(cosine, weight)| share(cosine) * weight).sum()
-}
-
-/// Gauss's nodes and weights for ∫ 2x·f(x) dx over 0..1, exact for f of degree 7 (Abramowitz and Stegun, table 25.8, k = 1, n = 4).
-const AVERAGE: [(f64, f64); 4] = [
-    (0.139_759_864_343_780_55, 0.062_361_941_900_016_16),
-    (0.416_409_567_631_083_18, 0.259_695_095_216_464_88),
-    (0.723_156_986_361_876_17, 0.406_929_136_020_542_72),
-    (0.942_895_803_885_482_32, 0.271_013_826_862_976_23),
-];
-
 impl Metallic {
     /// The share reflected at this angle.
     pub fn share(&self, cosine: f64) -> DVec3 {
@@ -83,7 +90,7 @@ impl Metallic {
     /// The mean share over all directions, weighted by their cosine.
     pub fn average(&self) -> DVec3 {
         match self {
-            Metallic::Measured(_) => average(|cosine| self.share(cosine)),
+            Metallic::Measured(_) => MEAN.iter().map(|&(cosine, weight)| self.share(cosine) * weight).sum(),
             // ∫ 2x(1 − x)⁵ dx = 1/21.
             Metallic::Tint(tint) => *tint + (DVec3::ONE - *tint) / 21.0,
         }
