@@ -55,21 +55,27 @@ impl Glass {
 
     /// f, of any colour.
     pub fn value(&self, wo: DVec3, wi: DVec3, transport: Transport) -> f64 {
-        let Some(rough) = self.rough_between(wo, wi) else { return 0.0 };
-        let (masked, widening) = if wi.z > 0.0 {
-            (rough.slopes.masked(wo.z, wi.z), 1.0)
-        } else {
-            (rough.slopes.masked_beyond(wo.z, -wi.z), self.widening(transport))
-        };
-        (self.facet_pdf(rough, wo, wi) * masked + rough.further(wo, wi)) * widening
+        self.pdf_and_value(wo, wi)[1] * self.widening(wi, transport)
     }
 
     /// The density of wi.
     pub fn pdf(&self, wo: DVec3, wi: DVec3) -> f64 {
-        let Some(rough) = self.rough_between(wo, wi) else { return 0.0 };
-        let lost = rough.place.lost(wo.z);
-        let side = if wi.z > 0.0 { 1.0 - rough.through } else { rough.through };
-        (1.0 - lost) * self.facet_pdf(rough, wo, wi) + lost * side * grazing_density(wi.z.abs(), rough.slopes.alpha)
+        self.pdf_and_value(wo, wi)[0]
+    }
+
+    /// The density of wi, and f of importance: by one facet and by several.
+    fn pdf_and_value(&self, wo: DVec3, wi: DVec3) -> [f64; 2] {
+        let Some(rough) = self.rough.as_ref().filter(|_| wo.z > 0.0 && wi.z != 0.0) else { return [0.0; 2] };
+        let (once, lost, height) = (self.facet_pdf(rough, wo, wi), rough.place.lost(wo.z), wi.z.abs());
+        let further = lost * grazing_density(height, rough.slopes.alpha);
+        let [share, masked, lobe] = if wi.z > 0.0 {
+            let lobe = rough.further[0] * rough.place.lost(height);
+            [1.0 - rough.through, rough.slopes.masked(wo.z, height), lobe]
+        } else {
+            let lobe = rough.further[1] * rough.place.swapped().lost(height);
+            [rough.through, rough.slopes.masked_beyond(wo.z, height), lobe]
+        };
+        [(1.0 - lost) * once + share * further, once * masked + lost * lobe]
     }
 
     /// The density with which a path that arrives along wi, from beyond, would take wo.
@@ -89,8 +95,8 @@ impl Glass {
         } else {
             self.by_facet(wo, rough.slopes.visible_normal(wo, across), (u[2] - lost) / (1.0 - lost))?
         };
-        let pdf = self.pdf(wo, wi);
-        let weight = self.value(wo, wi, transport) * wi.z.abs() / pdf;
+        let [pdf, value] = self.pdf_and_value(wo, wi);
+        let weight = value * self.widening(wi, transport) * wi.z.abs() / pdf;
         (pdf > 0.0).then(|| Sample::spread(wi, DVec3::splat(weight), pdf))
     }
 
@@ -99,9 +105,10 @@ impl Glass {
         if u < reflectance {
             return Sample::mirrored(wo, DVec3::ONE, reflectance);
         }
+        let wi = refracted(wo, DVec3::Z, self.ior, cosine_beyond(wo.z, self.ior));
         Sample {
-            wi: refracted(wo, DVec3::Z, self.ior, cosine_beyond(wo.z, self.ior)),
-            weight: DVec3::splat(self.widening(transport)),
+            wi,
+            weight: DVec3::splat(self.widening(wi, transport)),
             pdf: 1.0 - reflectance,
             is_specular: true,
             is_transmission: true,
@@ -136,16 +143,12 @@ impl Glass {
         (1.0 - reflectance) * quarter * 4.0 * facing * facing_i.abs() / (sum * sum)
     }
 
-    fn rough_between(&self, wo: DVec3, wi: DVec3) -> Option<&Rough> {
-        self.rough.as_ref().filter(|_| wo.z > 0.0 && wi.z != 0.0)
-    }
-
-    /// What radiance gains where its cone narrows or widens (Veach 1997, "Robust Monte Carlo methods for light transport
+    /// What radiance from wi gains where its cone narrows or widens (Veach 1997, "Robust Monte Carlo methods for light transport
     /// simulation", section 5.2).
-    fn widening(&self, transport: Transport) -> f64 {
+    fn widening(&self, wi: DVec3, transport: Transport) -> f64 {
         match transport {
-            Transport::Radiance => 1.0 / (self.ior * self.ior),
-            Transport::Importance => 1.0,
+            Transport::Radiance if wi.z < 0.0 => 1.0 / (self.ior * self.ior),
+            Transport::Radiance | Transport::Importance => 1.0,
         }
     }
 }
@@ -164,16 +167,6 @@ impl Rough {
             place,
             through,
             further: [over(1.0 - through, lost), over(through, lost_beyond)],
-        }
-    }
-
-    /// f of importance that meets more than one facet.
-    fn further(&self, wo: DVec3, wi: DVec3) -> f64 {
-        let lost = self.place.lost(wo.z);
-        if wi.z > 0.0 {
-            self.further[0] * lost * self.place.lost(wi.z)
-        } else {
-            self.further[1] * lost * self.place.swapped().lost(-wi.z)
         }
     }
 }
