@@ -15,6 +15,6 @@ fn main() -> Result<(), String> {
     }
     let plan = Plan::new(&mut program, &Wishes::default()).map_err(|refusal| format!("{refusal:?}"))?;
     let drawing = plan.draw(&Silent).map_err(|failure| failure.to_string())?;
-    let bytes = png::encode(&drawing.picture, plan.settings.mode.tone()).map_err(|error| error.to_string())?;
+    let bytes = png::encode(&plan.settings.print(&drawing)).map_err(|error| error.to_string())?;
     std::fs::write(file, bytes).map_err(|error| error.to_string())
 }

@@ -18,7 +18,7 @@
 //! let plan = Plan::new(&mut program, &wishes).expect("a sphere is there to be seen");
 //! let drawing = plan.draw(&Silent).expect("nobody cancels");
 //! assert_eq!(drawing.report.proven, 32 * 24);
-//! let bytes = png::encode(&drawing.picture, plan.settings.mode.tone()).expect("pictures can be encoded");
+//! let bytes = png::encode(&plan.settings.print(&drawing)).expect("pictures can be encoded");
 //! assert!(bytes.starts_with(b"\x89PNG"));
 //! ```
 //!

@@ -4,17 +4,21 @@
 //! is to say about it ([`Program`]), then what is to be drawn ([`Plan`]), then the drawing. Separate from the command
 //! line, so that a library or a server lives the same life: nothing here prints, reads a file or a clock.
 //!
+//! - `cap`: solids closed where they are cut.
 //! - [`mod@include`]: programs that include others.
-//! - `matter`: materials and lights as the scene has them; `inside`: which side of glass is its inside.
+//! - `matter`: materials and lights as the scene has them; `inside`: which side of glass is its
+//!   inside; `paint`: colours by formulas.
 //! - `outlook`: where the eye goes when nobody said.
 //! - [`program`]: texts to formulas.
 //! - [`plan`]: formulas to surfaces, a camera and settings.
 //! - [`mod@recipe`]: the program that draws a picture again.
 
+mod cap;
 pub mod include;
 mod inside;
 mod matter;
 mod outlook;
+mod paint;
 pub mod plan;
 pub mod program;
 pub mod recipe;

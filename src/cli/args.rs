@@ -6,11 +6,13 @@
 pub mod teaching;
 
 use super::values::{
-    ball, box_bounds, field_of_view, mode, numbers, on_line, orbit, positive, setting, threads, whole,
+    background, ball, box_bounds, exposure, field_of_view, filter, mode, numbers, on_line, orbit, positive, setting,
+    threads, tonemap, whole,
 };
-use crate::film::Size;
+use crate::film::{Size, Tone};
 use crate::num::rational::Rational;
-use crate::render::Mode;
+use crate::render::filter::Filter;
+use crate::render::{Background, Mode};
 use clap::{ArgAction, Args, Parser, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use std::ffi::{OsStr, OsString};
@@ -117,10 +119,12 @@ pub struct RenderArgs {
     /// As `--box`; both together show what is in both.
     #[arg(long, value_name = "X,Y,Z,R", value_parser = ball, allow_hyphen_values = true)]
     pub ball: Option<BallArg>,
-    /// studio cosine mirror normal depth cost proof
+    /// studio path cosine mirror normal depth proof ...
     ///
-    /// What the colours say: a look that flatters any surface (the default); the cosine of the angle between normal and
-    /// light; the same after a mirror; the normal; the distance; how many enclosures a ray took; what is proven.
+    /// What the colours say. `studio`: a look that flatters any surface (the default). `cosine`: the cosine of the angle
+    /// between normal and light; `mirror`: the same after a mirror; `angle`, `end`, `bounces`: what becomes of rays where all is
+    /// a mirror. `whitted`, `path`, `light`, `bidirectional`: light, followed. `normal`, `depth`, `cost`, `proof`: what the
+    /// tracer knows. `curvature`: eggs red, saddles blue.
     #[arg(long, value_name = "MODE", value_parser = mode)]
     pub mode: Option<Mode>,
     /// faithful (the default, misses no root) or march
@@ -142,6 +146,28 @@ pub struct RenderArgs {
     /// Seed of random numbers (0)
     #[arg(long, value_name = "N", value_parser = whole::<0, { u64::MAX }>, allow_hyphen_values = true)]
     pub seed: Option<u64>,
+    /// Make light brighter by EV stops (0)
+    ///
+    /// Light is multiplied by 2^EV before the tone curve; EXR keeps it as it is.
+    #[arg(long, value_name = "EV", value_parser = exposure, allow_hyphen_values = true)]
+    pub exposure: Option<f64>,
+    /// Tone curve: neutral, agx or none
+    ///
+    /// How light of any strength becomes what a screen can show. `neutral` (Khronos PBR Neutral) keeps hues and is the
+    /// default in `studio` and where light is followed; `agx` lets bright colours fade, as film does; `none` cuts off.
+    #[arg(long, value_name = "CURVE", value_parser = tonemap)]
+    pub tonemap: Option<Tone>,
+    /// COLOR, transparent or sky, behind it all
+    ///
+    /// In studio, cosine and mirror: a name or #rrggbb, which is shown as it is; nothing, with smooth edges, in png, webp,
+    /// tiff and exr; or the program's sky.
+    #[arg(long, value_name = "BEHIND", value_parser = background)]
+    pub background: Option<Background>,
+    /// Pixel filter: mitchell, gaussian or box
+    ///
+    /// How much a place counts in a pixel, where light is followed.
+    #[arg(long, value_name = "FILTER", value_parser = filter)]
+    pub filter: Option<Filter>,
     /// Distances to the first hit, channel Z
     ///
     /// As an EXR file of one channel Z: from the eye through each pixel's centre, +inf where nothing is hit.

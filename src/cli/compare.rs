@@ -7,7 +7,7 @@ use super::clock::Clock;
 use super::complaint::Complaint;
 use super::output::Outputs;
 use super::{console, pages, programs, render};
-use crate::film::{Size, png};
+use crate::film::{Print, Size, Tone, png};
 use crate::render::Silent;
 use crate::scene::View;
 use crate::session::{Method, Plan, Program, Wishes};
@@ -62,10 +62,10 @@ pub fn build(args: &CompareArgs, program: &mut Program) -> Result<(Page, Value, 
         Some(VaryArg::Objects) => (objects(program, &wishes)?, Varied::Objects),
         None => (steps(args, program, &wishes)?, Varied::Step),
     };
-    let tone = plan(program, &wishes)?.settings.mode.tone();
+    let tone = plan(program, &wishes)?.settings.tone;
     let compared = compare(&shots, tone, varied)
         .ok_or_else(|| Complaint::usage("the sheet of all pictures would be too large; make --size smaller"))?;
-    let sheet = png::encode(&compared.sheet, crate::film::Tone::Data).map_err(Complaint::program)?;
+    let sheet = png::encode(&Print::new(&compared.sheet, Tone::Data)).map_err(Complaint::program)?;
     let mut page = Page::new(texts.get("compare.title"));
     compared.write(&texts, sheet.clone(), &mut page);
     Ok((page, as_json(&compared), sheet))

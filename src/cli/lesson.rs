@@ -89,7 +89,7 @@ fn picture(args: &RenderArgs, texts: &Texts) -> Result<Vec<Block>, Complaint> {
     let wishes = Wishes { size, mode: args.mode, view, threads: 2, simd: render::simd(), ..Wishes::default() };
     let plan = Plan::new(&mut program, &wishes).map_err(|refusal| render::refused(refusal, &program))?;
     let drawing = plan.draw(&Silent).map_err(Complaint::program)?;
-    let png = png::encode(&drawing.picture, plan.settings.mode.tone()).map_err(Complaint::program)?;
+    let png = png::encode(&plan.settings.print(&drawing)).map_err(Complaint::program)?;
     Ok(vec![Block::Picture { png, caption: texts.get("lesson.picture").into() }])
 }
 

@@ -13,9 +13,9 @@ use super::stats::{self, Stages};
 use super::terminal::Terminal;
 use super::{console, programs};
 use crate::diag::{Diagnostic, Severity, render};
-use crate::film::{Format, Size, exr};
+use crate::film::{Format, exr};
 use crate::num::level::Simd;
-use crate::render::{Drawing, Pass, Passes};
+use crate::render::{Background, Drawing, Pass, Passes, Settings};
 use crate::scene::{Orbit, View};
 use crate::session::recipe::{recipe, region_option};
 use crate::session::{Method, Plan, Program, Refusal, Wishes};
@@ -37,7 +37,7 @@ pub fn run(args: RenderArgs) -> Result<(), Complaint> {
     let own_size = terminal.as_ref().filter(|_| !is_size_said).and_then(Terminal::size);
     let wishes = Wishes { size: args.size.or(own_size), ..wishes(&args) };
     let plan = Plan::new(&mut program, &wishes).map_err(|refusal| refused(refusal, &program))?;
-    check_sides(&destination, plan.settings.size)?;
+    check_format(&destination, &plan.settings)?;
     say_notes(&args, &program, &plan)?;
     say_region(&args, &plan);
     let notes = notes(&destination, &program, &wishes, &plan);
@@ -50,7 +50,7 @@ pub fn run(args: RenderArgs) -> Result<(), Complaint> {
     let drawing = drawing.map_err(Complaint::program)?;
     stages.drawn = clock.now();
     if let Some(terminal) = terminal {
-        terminal.show(&drawing.picture, plan.settings.mode.tone())?;
+        terminal.show(&plan.settings.print(&drawing))?;
     }
     write(&args, &destination, &plan, &drawing, &notes, &mut stages, clock)?;
     say_pass(&args, drawing.pass);
@@ -76,7 +76,7 @@ fn write_picture(
     mut outputs: Outputs,
 ) -> Result<Outputs, Complaint> {
     if let Destination::File(path, format) = destination {
-        let bytes = format.encode(&drawing.picture, plan.settings.mode.tone(), notes).map_err(Complaint::program)?;
+        let bytes = format.encode(&plan.settings.print(drawing), notes).map_err(Complaint::program)?;
         outputs.stage(path, bytes)?;
     }
     Ok(outputs)
@@ -167,9 +167,13 @@ fn say_emptiness(args: &RenderArgs, drawing: &Drawing) {
     console::say(&format!("note: the picture is empty, no pixel's ray meets a surface; {mend}\n"));
 }
 
-/// Refuses a picture that is larger than its file's format allows.
-fn check_sides(destination: &Destination, size: Size) -> Result<(), Complaint> {
+/// Refuses a picture that is larger than its file's format allows, or clear where its format is not.
+fn check_format(destination: &Destination, settings: &Settings) -> Result<(), Complaint> {
+    let size = settings.size;
     match destination {
+        Destination::File(_, format) if settings.background == Background::Clear && !format.has_alpha() => Err(
+            Complaint::usage("a jpg has no clear pixels for a transparent background; png, webp, tiff and exr have"),
+        ),
         Destination::File(_, format) if size.width().max(size.height()) > format.max_side() => {
             let longest = format.max_side();
             Err(Complaint::usage(format!(
@@ -190,6 +194,10 @@ fn wishes(args: &RenderArgs) -> Wishes {
         samples: args.samples.and_then(|samples| u32::try_from(samples).ok()),
         bounces: args.bounces.and_then(|bounces| u32::try_from(bounces).ok()),
         seed: args.seed,
+        exposure: args.exposure,
+        tone: args.tonemap,
+        background: args.background,
+        filter: args.filter,
         view: View {
             eye: args.eye.map(DVec3::from),
             orbit,

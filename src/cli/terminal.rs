@@ -6,7 +6,7 @@
 use super::complaint::Complaint;
 use super::console;
 use crate::film::blocks::{self, Colours};
-use crate::film::{Layer, Size, Tone, png};
+use crate::film::{Layer, Print, Size, png};
 use std::env;
 
 /// Columns and rows where nobody says.
@@ -57,14 +57,17 @@ impl Terminal {
     ///
     /// # Errors
     /// If standard output is full, or the picture cannot be encoded.
-    pub fn show(&self, picture: &Layer<[f32; 3]>, tone: Tone) -> Result<(), Complaint> {
-        let size = blocks::fitting(picture.size, self.columns, self.rows);
+    pub fn show(&self, print: &Print<'_>) -> Result<(), Complaint> {
+        let size = blocks::fitting(print.picture.size, self.columns, self.rows);
         let text = match self.way {
             Way::Kitty => {
-                let bytes = png::encode(picture, tone).map_err(Complaint::program)?;
+                let bytes = png::encode(print).map_err(Complaint::program)?;
                 kitty(&bytes, size.width(), size.height().div_ceil(2))
             }
-            Way::Blocks(colours) => blocks::draw(picture, tone, size, colours),
+            Way::Blocks(colours) => {
+                let picture = Layer { size: print.picture.size, values: print.light() };
+                blocks::draw(&picture, print.tone, print.gain, size, colours)
+            }
         };
         console::print(text.as_bytes())
     }

@@ -5,9 +5,12 @@
 
 use super::args::teaching::Steps;
 use super::args::{BallArg, BoxArg, OrbitArg, Place};
+use crate::expr::lower::{MAX_EXPOSURE, color_of_text};
+use crate::film::Tone;
 use crate::num::rational::Rational;
-use crate::render::Mode;
-use crate::session::plan::LATER_MODES;
+use crate::render::filter::Filter;
+use crate::render::{Background, Mode};
+use crate::scene::colour::from_bytes;
 
 /// The most threads that are started, whatever is asked for.
 pub const MAX_THREADS: usize = 1024;
@@ -232,20 +235,62 @@ pub fn setting(text: &str) -> Result<(String, Rational), String> {
     Ok((name.to_owned(), if negative.is_some() { rational.negated() } else { rational }))
 }
 
+/// A number of stops.
+///
+/// # Errors
+/// If it is none, or so large that nothing would be left to see.
+pub fn exposure(text: &str) -> Result<f64, String> {
+    match finite(text)? {
+        stops if stops.abs() <= MAX_EXPOSURE => Ok(stops),
+        _ => Err(format!("a number of stops from -{MAX_EXPOSURE} to {MAX_EXPOSURE} is needed")),
+    }
+}
+
+/// The tone curve of a name.
+///
+/// # Errors
+/// That there is none, with those there are.
+pub fn tonemap(name: &str) -> Result<Tone, String> {
+    Tone::from_name(name).ok_or_else(|| unknown("tone curve", name, &Tone::CURVES))
+}
+
+/// The filter of a name.
+///
+/// # Errors
+/// That there is none, with those there are.
+pub fn filter(name: &str) -> Result<Filter, String> {
+    Filter::from_name(name).ok_or_else(|| unknown("filter", name, &Filter::ALL))
+}
+
+fn unknown<T>(what: &str, name: &str, all: &[(&'static str, T)]) -> String {
+    let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    format!("there is no {what} '{}'; there are {}", shown(name), names.join(", "))
+}
+
+/// What is behind everything.
+///
+/// # Errors
+/// If it is no colour and none of the two words.
+pub fn background(text: &str) -> Result<Background, String> {
+    match text.trim() {
+        "transparent" => Ok(Background::Clear),
+        "sky" => Ok(Background::Sky),
+        name => match color_of_text(name) {
+            Some(bytes) => Ok(Background::Plain(from_bytes(bytes))),
+            None => {
+                let name = shown(name);
+                Err(format!("there is no colour '{name}'; write a name, #rrggbb, transparent or sky"))
+            }
+        },
+    }
+}
+
 /// The mode of a name.
 ///
 /// # Errors
 /// That there is none, with those there are.
 pub fn mode(name: &str) -> Result<Mode, String> {
-    if let Some(mode) = Mode::from_name(name) {
-        return Ok(mode);
-    }
-    let names: Vec<&str> = Mode::ALL.iter().map(|(name, _)| *name).collect();
-    let known = names.join(", ");
-    match LATER_MODES.contains(&name) {
-        true => Err(format!("the mode '{name}' is not built yet; there are {known}")),
-        false => Err(format!("there is no mode '{}'; there are {known}", shown(name))),
-    }
+    Mode::from_name(name).ok_or_else(|| unknown("mode", name, &Mode::ALL))
 }
 
 #[cfg(test)]
@@ -270,7 +315,7 @@ mod tests {
         assert!(setting("θ_1=2").is_ok());
         assert_eq!((whole::<1, 9>(" 9 "), whole::<0, { u64::MAX }>("0")), (Ok(9), Ok(0)));
         assert!(["", "x", "-1", "1.5", "0", "10"].into_iter().all(|text| whole::<1, 9>(text).is_err()));
-        assert!(mode("path").unwrap_err().contains("not built yet"));
+        assert!(mode("curvature").is_ok() && mode("radiosity").unwrap_err().contains("no mode 'radiosity'"));
     }
     #[test]
     fn numbers_written_in_another_way_are_shown_in_ours() {

@@ -9,12 +9,14 @@
 //! - [`signs`]: which signs a node's values can have.
 //! - [`simplify`]: the named rules that every new node goes through; none changes where f is defined.
 //! - [`derivative`]: the rule of every operation.
+//! - [`curvature`]: normals and curvatures of level sets.
 //! - [`polynomial`]: exact polynomials over nodes as letters; square-free parts.
 //! - [`nest`]: sums of powers by Horner's rule, for enclosures.
 //! - [`equation`]: f = 0 as the sheets whose roots it has.
 //! - [`lower`]: names, functions, parameters, lists and regions become nodes.
 //! - [`mod@print`]: text that reads back as the same graph, and LaTeX.
 
+pub mod curvature;
 pub mod derivative;
 pub mod equation;
 #[cfg(test)]

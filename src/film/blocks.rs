@@ -22,13 +22,15 @@ pub enum Colours {
 const COVERING: &[u8] = b" .:-=+*#%@";
 
 /// The lines of a picture of `size` pixels, two of them a character from top to bottom, with the ends of lines.
-pub fn draw(picture: &Layer<[f32; 3]>, tone: Tone, size: Size, colours: Colours) -> String {
+/// Light is multiplied by `gain` before it is shown.
+pub fn draw(picture: &Layer<[f32; 3]>, tone: Tone, gain: f32, size: Size, colours: Colours) -> String {
     let small = shrunk(picture, size);
     let row = |row: u32| {
         let small = &small;
         (0..size.width()).map(move |i| {
-            let upper = tone.bytes(small.at(i, 2 * row));
-            let lower = if 2 * row + 1 < size.height() { tone.bytes(small.at(i, 2 * row + 1)) } else { upper };
+            let bytes = |j: u32| tone.bytes(small.at(i, j).map(|light| light * gain));
+            let upper = bytes(2 * row);
+            let lower = if 2 * row + 1 < size.height() { bytes(2 * row + 1) } else { upper };
             (upper, lower)
         })
     };
@@ -134,7 +136,7 @@ mod tests {
         let mut picture = Layer::filled(Size::new(2, 2).unwrap(), [0.0; 3]);
         picture.set(0, 0, [1.0, 0.0, 0.0]);
         picture.set(1, 1, [1.0, 1.0, 1.0]);
-        let text = |colours| draw(&picture, Tone::Data, picture.size, colours);
+        let text = |colours| draw(&picture, Tone::Data, 1.0, picture.size, colours);
         let expected = "\x1b[38;2;255;0;0m\x1b[48;2;0;0;0m▀\x1b[38;2;0;0;0m\x1b[48;2;255;255;255m▀\x1b[0m\n";
         assert_eq!(text(Colours::True), expected);
         let expected = "\x1b[38;5;196m\x1b[48;5;16m▀\x1b[38;5;16m\x1b[48;5;231m▀\x1b[0m\n";

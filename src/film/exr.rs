@@ -2,7 +2,7 @@
 //!
 //! In: a layer. Out: the bytes of an EXR file with losslessly compressed scan lines, the same for the same layer.
 
-use super::{EncodeError, Layer, Size};
+use super::{EncodeError, Layer, Print, Size};
 use ::exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer as ExrLayer, LayerAttributes,
     LineOrder, SmallVec, WritableImage,
@@ -13,12 +13,16 @@ use std::io::Cursor;
 const ENCODING: Encoding =
     Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
 
-/// Linear light as channels `R G B`.
+/// Linear light as channels `R G B`, and `A` if the picture is clear in parts; then the light is that of the covered share.
 ///
 /// # Errors
 /// If the encoder refuses.
-pub fn encode_colour(picture: &Layer<[f32; 3]>) -> Result<Vec<u8>, EncodeError> {
-    encode(picture.size, ["R", "G", "B"].iter().enumerate().map(|(k, name)| (*name, column(picture, k))).collect())
+pub fn encode_colour(print: &Print<'_>) -> Result<Vec<u8>, EncodeError> {
+    let light = Layer { size: print.picture.size, values: print.light() };
+    let mut channels: Vec<(&str, Vec<f32>)> =
+        ["R", "G", "B"].iter().enumerate().map(|(k, name)| (*name, column(&light, k))).collect();
+    channels.extend(print.alpha.filter(|_| print.is_clear()).map(|alpha| ("A", alpha.values.clone())));
+    encode(light.size, channels)
 }
 
 /// Unit normals as channels `X Y Z`.
@@ -78,7 +82,8 @@ mod tests {
     #[test]
     fn the_same_layer_gives_the_same_bytes() {
         let picture = Layer::filled(Size::new(33, 40).unwrap(), [0.25, 0.5, f32::NAN]);
-        assert_eq!(encode_colour(&picture).unwrap(), encode_colour(&picture).unwrap());
+        let print = Print::new(&picture, crate::film::Tone::Linear);
+        assert_eq!(encode_colour(&print).unwrap(), encode_colour(&print).unwrap());
         assert_eq!(encode_normals(&picture).unwrap(), encode_normals(&picture).unwrap());
     }
 }

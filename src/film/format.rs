@@ -3,7 +3,7 @@
 //! In: a file's ending, a picture, what it should say of itself. Out: the bytes of a file. Separate from the encoders,
 //! which know one format each.
 
-use super::{EncodeError, Layer, Tone, exr, jpeg, png, tiff, webp};
+use super::{EncodeError, Print, exr, jpeg, png, tiff, webp};
 
 /// The kinds of files that hold a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,19 +41,19 @@ impl Format {
     ///
     /// # Errors
     /// If the picture is larger than the format allows, or the encoder refuses.
-    pub fn encode(
-        self,
-        picture: &Layer<[f32; 3]>,
-        tone: Tone,
-        notes: &[(&str, String)],
-    ) -> Result<Vec<u8>, EncodeError> {
+    pub fn encode(self, print: &Print<'_>, notes: &[(&str, String)]) -> Result<Vec<u8>, EncodeError> {
         match self {
-            Format::Png => png::encode_with(picture, tone, notes),
-            Format::Jpeg => jpeg::encode(picture, tone),
-            Format::Webp => webp::encode(picture, tone),
-            Format::Tiff => tiff::encode(picture, tone),
-            Format::Exr => exr::encode_colour(picture),
+            Format::Png => png::encode_with(print, notes),
+            Format::Jpeg => jpeg::encode(print),
+            Format::Webp => webp::encode(print),
+            Format::Tiff => tiff::encode(print),
+            Format::Exr => exr::encode_colour(print),
         }
+    }
+
+    /// Whether pixels can be clear in it.
+    pub fn has_alpha(self) -> bool {
+        self != Format::Jpeg
     }
 
     /// The longest side in pixels that a picture of this format can have.

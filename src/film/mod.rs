@@ -6,7 +6,7 @@
 //! - [`size`]: how many pixels there are, and the limit.
 //! - [`layer`]: one value a pixel.
 //! - [`srgb`]: linear light to the eight bits a screen shows.
-//! - [`tone`]: how light or data is shown.
+//! - [`tone`]: how light or data is shown; [`print`]: a picture with all that is said of how it is shown.
 //! - [`mod@format`]: which file it becomes; [`png`], [`jpeg`], [`webp`], [`tiff`], [`exr`]: the files.
 //! - [`blocks`]: the picture in characters of a terminal.
 
@@ -16,6 +16,7 @@ pub mod format;
 pub mod jpeg;
 pub mod layer;
 pub mod png;
+pub mod print;
 pub mod size;
 pub mod srgb;
 pub mod tiff;
@@ -24,6 +25,7 @@ pub mod webp;
 
 pub use format::Format;
 pub use layer::Layer;
+pub use print::Print;
 pub use size::Size;
 pub use tone::Tone;
 

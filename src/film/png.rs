@@ -3,7 +3,7 @@
 //! In: a layer, how its values are to be shown, notes. Out: the bytes of a PNG file, the same for the same layer; and
 //! from such bytes the notes.
 
-use super::{EncodeError, Layer, Tone};
+use super::{EncodeError, Print};
 use ::png::text_metadata::ITXtChunk;
 use ::png::{BitDepth, ColorType, Compression, DecodeOptions, Decoder, Encoder, Limits, SrgbRenderingIntent};
 use std::fmt;
@@ -22,28 +22,23 @@ const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 ///
 /// # Errors
 /// If the encoder refuses; it has no reason to, the size being checked.
-pub fn encode(picture: &Layer<[f32; 3]>, tone: Tone) -> Result<Vec<u8>, EncodeError> {
-    encode_with(picture, tone, &[])
+pub fn encode(print: &Print<'_>) -> Result<Vec<u8>, EncodeError> {
+    encode_with(print, &[])
 }
 
 /// Encodes a picture as a PNG file that carries notes, each a keyword (1 to 79 letters) and a text.
 ///
 /// # Errors
 /// If a keyword is none.
-pub fn encode_with(picture: &Layer<[f32; 3]>, tone: Tone, notes: &[(&str, String)]) -> Result<Vec<u8>, EncodeError> {
+pub fn encode_with(print: &Print<'_>, notes: &[(&str, String)]) -> Result<Vec<u8>, EncodeError> {
     let mut bytes = Vec::new();
-    write(picture, tone, notes, &mut bytes).map_err(|e| EncodeError { message: e.to_string() })?;
+    write(print, notes, &mut bytes).map_err(|e| EncodeError { message: e.to_string() })?;
     Ok(bytes)
 }
 
-fn write(
-    picture: &Layer<[f32; 3]>,
-    tone: Tone,
-    notes: &[(&str, String)],
-    bytes: &mut Vec<u8>,
-) -> Result<(), ::png::EncodingError> {
-    let mut encoder = Encoder::new(bytes, picture.size.width(), picture.size.height());
-    encoder.set_color(ColorType::Rgb);
+fn write(print: &Print<'_>, notes: &[(&str, String)], bytes: &mut Vec<u8>) -> Result<(), ::png::EncodingError> {
+    let mut encoder = Encoder::new(bytes, print.picture.size.width(), print.picture.size.height());
+    encoder.set_color(if print.is_clear() { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     encoder.set_compression(Compression::Fast);
@@ -52,10 +47,11 @@ fn write(
     }
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer()?;
-    let mut line = Vec::with_capacity(picture.size.width() as usize * 3);
-    for row in picture.rows() {
+    let (width, channels) = (print.picture.size.width() as usize, if print.is_clear() { 4 } else { 3 });
+    let mut line = Vec::with_capacity(width * channels);
+    for row in 0..print.picture.size.height() as usize {
         line.clear();
-        line.extend(row.iter().flat_map(|&pixel| tone.bytes(pixel)));
+        line.extend((row * width..(row + 1) * width).flat_map(|k| print.pixel(k).into_iter().take(channels)));
         stream.write_all(&line)?;
     }
     stream.finish()?;
@@ -113,18 +109,18 @@ fn text(note: &ITXtChunk) -> Result<String, ReadError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::film::Size;
+    use crate::film::{Layer, Size, Tone};
 
     #[test]
     fn what_is_written_reads_back() {
         let picture = Layer::sample(Size::new(70, 41).unwrap());
-        let bytes = encode(&picture, Tone::Linear).unwrap();
-        assert_eq!(bytes, encode(&picture, Tone::Linear).unwrap());
+        let bytes = encode(&Print::new(&picture, Tone::Linear)).unwrap();
+        assert_eq!(bytes, encode(&Print::new(&picture, Tone::Linear)).unwrap());
         let mut reader = Decoder::new(Cursor::new(bytes)).read_info().unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut pixels).unwrap();
         assert_eq!((info.width, info.height, info.color_type), (70, 41, ColorType::Rgb));
-        let expected = Tone::Linear.all_bytes(&picture);
+        let expected = Print::new(&picture, Tone::Linear).bytes();
         assert_eq!(pixels[..expected.len()], expected);
     }
 
@@ -132,11 +128,12 @@ mod tests {
     fn notes_read_back_from_whole_files_only() {
         let picture = Layer::sample(Size::new(9, 5).unwrap());
         let said = "x² + y² = 1 // ∛\n".to_owned();
-        let bytes = encode_with(&picture, Tone::Linear, &[("implicit", said.clone()), ("b", "c".into())]).unwrap();
+        let bytes =
+            encode_with(&Print::new(&picture, Tone::Linear), &[("implicit", said.clone()), ("b", "c".into())]).unwrap();
         assert_eq!(note(&bytes, "implicit"), Ok(Some(said)));
         assert_eq!(note(&bytes, "b"), Ok(Some("c".into())));
         assert_eq!(note(&bytes, "d"), Ok(None));
-        assert_eq!(note(&encode(&picture, Tone::Linear).unwrap(), "implicit"), Ok(None));
+        assert_eq!(note(&encode(&Print::new(&picture, Tone::Linear)).unwrap(), "implicit"), Ok(None));
         for length in 0..SIGNATURE.len() {
             assert_eq!(note(&bytes[..length], "implicit"), Err(ReadError::NotPng), "{length}");
         }

@@ -2,7 +2,7 @@
 //!
 //! In: a layer and how its values are to be shown. Out: the bytes of a TIFF file, the same for the same layer.
 
-use super::{EncodeError, Layer, Tone};
+use super::{EncodeError, Print};
 use ::image::codecs::tiff::TiffEncoder;
 use ::image::{ExtendedColorType, ImageEncoder};
 use std::io::Cursor;
@@ -11,10 +11,12 @@ use std::io::Cursor;
 ///
 /// # Errors
 /// If the encoder refuses; it has no reason to, the size being checked.
-pub fn encode(picture: &Layer<[f32; 3]>, tone: Tone) -> Result<Vec<u8>, EncodeError> {
+pub fn encode(print: &Print<'_>) -> Result<Vec<u8>, EncodeError> {
     let mut file = Cursor::new(Vec::new());
+    let size = print.picture.size;
+    let channels = if print.is_clear() { ExtendedColorType::Rgba8 } else { ExtendedColorType::Rgb8 };
     TiffEncoder::new(&mut file)
-        .write_image(&tone.all_bytes(picture), picture.size.width(), picture.size.height(), ExtendedColorType::Rgb8)
+        .write_image(&print.bytes(), size.width(), size.height(), channels)
         .map_err(|e| EncodeError { message: e.to_string() })?;
     Ok(file.into_inner())
 }
@@ -22,7 +24,7 @@ pub fn encode(picture: &Layer<[f32; 3]>, tone: Tone) -> Result<Vec<u8>, EncodeEr
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::film::Size;
+    use crate::film::{Layer, Size, Tone};
 
     /// A file of little-endian numbers, read as TIFF 6.0 describes it (Adobe 1992, sections 2, 3 and 6).
     struct Reader<'a>(&'a [u8]);
@@ -47,8 +49,8 @@ mod tests {
     #[test]
     fn what_is_written_reads_back() {
         let picture = Layer::sample(Size::new(70, 41).unwrap());
-        let bytes = encode(&picture, Tone::Linear).unwrap();
-        assert_eq!(bytes, encode(&picture, Tone::Linear).unwrap());
+        let bytes = encode(&Print::new(&picture, Tone::Linear)).unwrap();
+        assert_eq!(bytes, encode(&Print::new(&picture, Tone::Linear)).unwrap());
         assert!(bytes.starts_with(b"II*\0"));
         let reader = Reader(&bytes);
         let [width, length, compression, photometric] = [256, 257, 259, 262].map(|tag| reader.field(tag)[0]);
@@ -56,6 +58,6 @@ mod tests {
         assert_eq!(reader.field(258), [8, 8, 8]);
         let strips = reader.field(273).into_iter().zip(reader.field(279));
         let pixels: Vec<u8> = strips.flat_map(|(at, length)| bytes[at..at + length].to_vec()).collect();
-        assert_eq!(pixels, Tone::Linear.all_bytes(&picture));
+        assert_eq!(pixels, Print::new(&picture, Tone::Linear).bytes());
     }
 }

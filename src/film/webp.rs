@@ -2,7 +2,7 @@
 //!
 //! In: a layer and how its values are to be shown. Out: the bytes of a WebP file, the same for the same layer.
 
-use super::{EncodeError, Layer, Tone};
+use super::{EncodeError, Print};
 use ::image::ExtendedColorType;
 use ::image::codecs::webp::WebPEncoder;
 
@@ -13,10 +13,12 @@ pub const MAX_SIDE: u32 = 1 << 14;
 ///
 /// # Errors
 /// If a side is longer than [`MAX_SIDE`].
-pub fn encode(picture: &Layer<[f32; 3]>, tone: Tone) -> Result<Vec<u8>, EncodeError> {
+pub fn encode(print: &Print<'_>) -> Result<Vec<u8>, EncodeError> {
     let mut bytes = Vec::new();
+    let size = print.picture.size;
+    let channels = if print.is_clear() { ExtendedColorType::Rgba8 } else { ExtendedColorType::Rgb8 };
     WebPEncoder::new_lossless(&mut bytes)
-        .encode(&tone.all_bytes(picture), picture.size.width(), picture.size.height(), ExtendedColorType::Rgb8)
+        .encode(&print.bytes(), size.width(), size.height(), channels)
         .map_err(|e| EncodeError { message: e.to_string() })?;
     Ok(bytes)
 }
@@ -24,21 +26,21 @@ pub fn encode(picture: &Layer<[f32; 3]>, tone: Tone) -> Result<Vec<u8>, EncodeEr
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::film::Size;
+    use crate::film::{Layer, Size, Tone};
 
     #[test]
     fn what_is_written_reads_back() {
         let picture = Layer::sample(Size::new(70, 41).unwrap());
-        let bytes = encode(&picture, Tone::Linear).unwrap();
-        assert_eq!(bytes, encode(&picture, Tone::Linear).unwrap());
+        let bytes = encode(&Print::new(&picture, Tone::Linear)).unwrap();
+        assert_eq!(bytes, encode(&Print::new(&picture, Tone::Linear)).unwrap());
         let read = ::image::load_from_memory(&bytes).unwrap().into_rgb8();
         assert_eq!(read.dimensions(), (70, 41));
-        assert_eq!(read.into_raw(), Tone::Linear.all_bytes(&picture));
+        assert_eq!(read.into_raw(), Print::new(&picture, Tone::Linear).bytes());
     }
 
     #[test]
     fn sides_that_do_not_fit_are_refused() {
         let picture = Layer::filled(Size::new(u64::from(MAX_SIDE) + 1, 1).unwrap(), [0.0; 3]);
-        assert!(encode(&picture, Tone::Linear).is_err());
+        assert!(encode(&Print::new(&picture, Tone::Linear)).is_err());
     }
 }

@@ -20,7 +20,7 @@ pub struct Canvas {
     /// What mode `studio` keeps for neighbours.
     pub memory: Option<Layer<Remembered>>,
     /// The colours of the squares that the last pass left, while the next draws over them.
-    squares: Option<Layer<[f32; 3]>>,
+    squares: Option<(Layer<[f32; 3]>, Option<Layer<f32>>)>,
     /// By tile, the pixels that get more samples.
     edges: Vec<Vec<Edge>>,
     /// The samples of the modes that follow light, added up, and their signs.
@@ -44,6 +44,8 @@ pub struct Edge {
     pub sum: [f64; 3],
     /// How many there are.
     pub count: u32,
+    /// How many of them met a surface, where that is asked for.
+    pub covered: u32,
     /// Whether they still differ.
     pub is_torn: bool,
 }
@@ -56,6 +58,7 @@ impl Canvas {
         Canvas {
             drawing: Drawing {
                 picture: Layer::filled(size, [0.0; 3]),
+                alpha: settings.background.keeps_alpha().then(|| Layer::filled(size, 0.0)),
                 depth: settings.keep_depth.then(|| Layer::filled(size, f32::INFINITY)),
                 normals: settings.keep_normals.then(|| Layer::filled(size, [f32::NAN; 3])),
                 report: Report::default(),
@@ -75,6 +78,9 @@ impl Canvas {
         for ((i, j), hit) in tile.pixels().zip(hits) {
             if let Some(depth) = &mut self.drawing.depth {
                 depth.set(i, j, hit.t as f32);
+            }
+            if let Some(alpha) = &mut self.drawing.alpha {
+                alpha.set(i, j, f32::from(u8::from(hit.is_drawn())));
             }
             if let Some(normals) = &mut self.drawing.normals {
                 normals.set(i, j, hit.normal.as_vec3().to_array());
@@ -98,10 +104,13 @@ impl Canvas {
         tile.pixels().zip(colours).for_each(|((i, j), &colour)| self.drawing.picture.set(i, j, colour));
     }
 
-    /// Fills squares with their colours.
-    pub fn fill(&mut self, squares: impl Iterator<Item = Tile>, colours: &[[f32; 3]]) {
-        for (square, &colour) in squares.zip(colours) {
+    /// Fills squares with the colours of what their rays hit.
+    pub fn fill(&mut self, squares: impl Iterator<Item = Tile>, hits: &[Hit], colours: &[[f32; 3]]) {
+        for ((square, hit), &colour) in squares.zip(hits).zip(colours) {
             square.pixels().for_each(|(i, j)| self.drawing.picture.set(i, j, colour));
+            if let Some(alpha) = &mut self.drawing.alpha {
+                square.pixels().for_each(|(i, j)| alpha.set(i, j, f32::from(u8::from(hit.is_drawn()))));
+            }
         }
     }
 
@@ -121,9 +130,12 @@ impl Canvas {
         let Ok(count) = Size::new(size.width().div_ceil(side).into(), size.height().div_ceil(side).into()) else {
             return;
         };
-        let corner = |k: u32| self.drawing.picture.at(k % count.width() * side, k / count.width() * side);
-        let values = (0..count.width() * count.height()).map(corner).collect();
-        self.squares = Some(Layer { size: count, values });
+        let corners =
+            || (0..count.width() * count.height()).map(|k| (k % count.width() * side, k / count.width() * side));
+        let values = corners().map(|(i, j)| self.drawing.picture.at(i, j)).collect();
+        let of_alpha =
+            |alpha: &Layer<f32>| Layer { size: count, values: corners().map(|(i, j)| alpha.at(i, j)).collect() };
+        self.squares = Some((Layer { size: count, values }, self.drawing.alpha.as_ref().map(of_alpha)));
     }
 
     /// The next pass is finished.
@@ -133,10 +145,13 @@ impl Canvas {
 
     /// The drawing as the last whole pass left it.
     pub fn into_drawing(mut self) -> Drawing {
-        if let (Some(squares), Pass::Squares(side)) = (&self.squares, self.drawing.pass) {
+        if let (Some((squares, squares_of_alpha)), Pass::Squares(side)) = (&self.squares, self.drawing.pass) {
             let size = self.drawing.picture.size;
             for (i, j) in (0..size.height()).flat_map(|j| (0..size.width()).map(move |i| (i, j))) {
                 self.drawing.picture.set(i, j, squares.at(i / side, j / side));
+                if let (Some(alpha), Some(squares)) = (&mut self.drawing.alpha, squares_of_alpha) {
+                    alpha.set(i, j, squares.at(i / side, j / side));
+                }
             }
         }
         self.drawing
@@ -191,7 +206,14 @@ impl Canvas {
     pub fn find_edges(&mut self, tiles: &[Tile]) {
         let picture = &self.drawing.picture;
         let is_edge = edges(picture, &self.known);
-        let first = |at: (u32, u32)| Edge { at, sum: picture.at(at.0, at.1).map(f64::from), count: 1, is_torn: true };
+        let alpha = self.drawing.alpha.as_ref();
+        let first = |at: (u32, u32)| Edge {
+            at,
+            sum: picture.at(at.0, at.1).map(f64::from),
+            count: 1,
+            covered: u32::from(alpha.is_some_and(|alpha| alpha.at(at.0, at.1) > 0.0)),
+            is_torn: true,
+        };
         let of_tile = |tile: &Tile| tile.pixels().filter(|&(i, j)| is_edge.at(i, j)).map(first).collect();
         self.edges = tiles.iter().map(of_tile).collect();
     }
@@ -200,6 +222,9 @@ impl Canvas {
     pub fn show_edges(&mut self) {
         for edge in self.edges.iter().flatten() {
             self.drawing.picture.set(edge.at.0, edge.at.1, sampling::mean(edge.sum, edge.count));
+            if let Some(alpha) = &mut self.drawing.alpha {
+                alpha.set(edge.at.0, edge.at.1, edge.covered as f32 / edge.count as f32);
+            }
         }
     }
 }

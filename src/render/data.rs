@@ -1,10 +1,12 @@
-//! Modes `normal`, `depth`, `cost`, `proof`: what the tracer knows, as colour.
+//! Modes `normal`, `depth`, `cost`, `proof`, `curvature`: what the tracer knows, as colour.
 //!
 //! In: a hit. Out: values of 0..=1 that the screen is to show as they are.
 
-use super::integrator::facing_normal;
+use super::cosine::NOTHING;
+use super::integrator::{facing_normal, pixel};
 use crate::scene::Scene;
 use crate::surface::{Hit, Outcome, Ray};
+use glam::DVec3;
 
 const BLACK: [f32; 3] = [0.0; 3];
 
@@ -67,14 +69,23 @@ pub fn proof(ray: &Ray, hit: &Hit) -> [f32; 3] {
         (Outcome::Touch, _) => [0.94, 0.89, 0.26],
         (Outcome::Undecided, _) => [0.84, 0.25, 0.1],
     };
-    let form = 0.45 + 0.55 * facing_normal(ray, hit).dot(-ray.direction).clamp(0.0, 1.0) as f32;
+    let form = form(ray, hit) as f32;
     colour.map(|c: f32| c * form)
+}
+
+/// The colour of a curvature; the form shines through.
+pub fn curvature(ray: &Ray, hit: &Hit, colour: DVec3) -> [f32; 3] {
+    if hit.is_drawn() { pixel(colour * form(ray, hit)) } else { NOTHING }
+}
+
+/// Brighter where the surface faces the eye.
+fn form(ray: &Ray, hit: &Hit) -> f64 {
+    0.45 + 0.55 * facing_normal(ray, hit).dot(-ray.direction).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DVec3;
 
     #[test]
     fn costs_grow_from_violet_to_yellow() {

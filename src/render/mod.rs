@@ -32,7 +32,7 @@ pub mod transport;
 pub mod watch;
 pub mod worker;
 
-pub use settings::{Mode, Passes, Settings};
+pub use settings::{Background, Mode, Passes, Settings};
 pub use tiles::{Drawing, Failure, Pass, Report, draw};
 pub use trace::Trace;
 pub use watch::{Silent, Watch};

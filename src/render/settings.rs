@@ -3,7 +3,10 @@
 //! In: words from a command line or a program. Out: plain settings.
 
 use super::filter::Filter;
-use crate::film::{Size, Tone};
+use super::tiles::Drawing;
+use crate::film::print::gain;
+use crate::film::{Print, Size, Tone};
+use glam::DVec3;
 
 /// What the colour of a pixel says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -23,6 +26,8 @@ pub enum Mode {
     Cost,
     /// What is proven of the pixel.
     Proof,
+    /// Gauss curvature.
+    Curvature,
     /// Shadows, mirrored and refracted rays.
     Whitted,
     /// The angle at which a ray is mirrored.
@@ -41,7 +46,7 @@ pub enum Mode {
 
 impl Mode {
     /// All modes with the words that name them.
-    pub const ALL: [(&'static str, Mode); 14] = [
+    pub const ALL: [(&'static str, Mode); 15] = [
         ("studio", Mode::Studio),
         ("cosine", Mode::Cosine),
         ("mirror", Mode::Mirror),
@@ -49,6 +54,7 @@ impl Mode {
         ("depth", Mode::Depth),
         ("cost", Mode::Cost),
         ("proof", Mode::Proof),
+        ("curvature", Mode::Curvature),
         ("whitted", Mode::Whitted),
         ("angle", Mode::Angle),
         ("end", Mode::End),
@@ -67,7 +73,7 @@ impl Mode {
     pub fn tone(self) -> Tone {
         match self {
             Mode::Studio | Mode::Whitted | Mode::Path | Mode::Light | Mode::Bidirectional => Tone::Neutral,
-            Mode::Cosine | Mode::Mirror | Mode::End => Tone::Linear,
+            Mode::Cosine | Mode::Mirror | Mode::End | Mode::Curvature => Tone::Linear,
             Mode::Normal | Mode::Depth | Mode::Cost | Mode::Proof | Mode::Angle | Mode::Bounces => Tone::Data,
         }
     }
@@ -76,10 +82,27 @@ impl Mode {
     /// is not mixed with its neighbours.
     pub fn default_samples(self) -> u32 {
         match self {
-            Mode::Studio | Mode::Cosine | Mode::Mirror | Mode::Normal | Mode::Whitted | Mode::Angle | Mode::End => 16,
+            Mode::Studio
+            | Mode::Cosine
+            | Mode::Mirror
+            | Mode::Normal
+            | Mode::Whitted
+            | Mode::Angle
+            | Mode::End
+            | Mode::Curvature => 16,
             Mode::Depth | Mode::Cost | Mode::Proof | Mode::Bounces => 1,
             Mode::Path | Mode::Light | Mode::Bidirectional => 64,
         }
+    }
+
+    /// Whether it shows the colours of surfaces, each ray by itself.
+    pub fn shows_colours(self) -> bool {
+        matches!(self, Mode::Cosine | Mode::Mirror | Mode::Curvature)
+    }
+
+    /// Whether what is behind the surfaces can be chosen.
+    pub fn has_background(self) -> bool {
+        matches!(self, Mode::Studio | Mode::Cosine | Mode::Mirror)
     }
 
     /// Whether its pictures are means over paths of light: every pixel has all samples.
@@ -106,6 +129,12 @@ pub struct Settings {
     pub seed: u64,
     /// How much a place counts in a pixel.
     pub filter: Filter,
+    /// How light becomes what a screen shows.
+    pub tone: Tone,
+    /// By how many stops light is made brighter before.
+    pub exposure: f64,
+    /// What is seen where nothing is hit, in the modes that shade surfaces.
+    pub background: Background,
     /// How many threads draw; at least 1.
     pub threads: usize,
     /// Whether distances are kept.
@@ -114,6 +143,44 @@ pub struct Settings {
     pub keep_normals: bool,
     /// In which passes it is drawn; the finished picture is the same.
     pub passes: Passes,
+}
+
+/// What is seen where nothing is hit, in modes `studio`, `cosine` and `mirror`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Background {
+    /// What the mode has.
+    #[default]
+    Own,
+    /// This linear light of 0..=1, which no tone curve changes.
+    Plain(DVec3),
+    /// Nothing: the picture is clear there.
+    Clear,
+    /// The sky of the scene.
+    Sky,
+}
+
+impl Background {
+    /// Whether it is known of each pixel how much of it is covered.
+    pub fn keeps_alpha(self) -> bool {
+        matches!(self, Background::Plain(_) | Background::Clear)
+    }
+}
+
+impl Settings {
+    /// A drawing as it is to be shown.
+    pub fn print<'a>(&self, drawing: &'a Drawing) -> Print<'a> {
+        let behind = match self.background {
+            Background::Plain(colour) => Some(colour.as_vec3().to_array()),
+            Background::Own | Background::Clear | Background::Sky => None,
+        };
+        Print {
+            picture: &drawing.picture,
+            alpha: drawing.alpha.as_ref(),
+            tone: self.tone,
+            gain: if self.tone == Tone::Data { 1.0 } else { gain(self.exposure) },
+            behind,
+        }
+    }
 }
 
 /// In which passes a picture is drawn.
@@ -139,6 +206,9 @@ impl Default for Settings {
             bounces: DEFAULT_BOUNCES,
             seed: 0,
             filter: Filter::default(),
+            tone: mode.tone(),
+            exposure: 0.0,
+            background: Background::Own,
             threads: 1,
             keep_depth: false,
             keep_normals: false,

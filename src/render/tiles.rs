@@ -36,6 +36,8 @@ const STEPS: [u32; 2] = [FIRST_SAMPLES, 16];
 pub struct Drawing {
     /// Colours: linear light, or data as it is to be shown, by the mode.
     pub picture: Layer<[f32; 3]>,
+    /// The share of each pixel that surfaces cover, where that is asked for; the picture's light is that of this share.
+    pub alpha: Option<Layer<f32>>,
     /// Distance to the first root on the ray through each pixel's centre, +∞ where there is none; if it was asked for.
     pub depth: Option<Layer<f32>>,
     /// The unit normal there, NaN where there is none; if it was asked for.

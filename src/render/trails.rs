@@ -5,7 +5,7 @@
 
 use super::cosine::NOTHING;
 use super::data::scale;
-use super::integrator::{facing_normal, pixel, side};
+use super::integrator::{facing_normal, pixel, sides};
 use super::settings::Mode;
 use super::trace::Trace;
 use crate::num::func::native;
@@ -39,9 +39,11 @@ pub fn colours<T: Trace>(
     }
     let mut trails: Vec<Trail> = rays.map(|(&ray, &hit)| Trail { ray, hit, bounces: 0 }).collect();
     follow(tracer, &mut trails, most);
-    colours.extend(trails.iter().zip(seen.1).map(|(trail, first)| match mode {
+    let (last_rays, last_hits): (Vec<Ray>, Vec<Hit>) = trails.iter().map(|trail| (trail.ray, trail.hit)).unzip();
+    let sides = sides(scene, &last_rays, &last_hits);
+    colours.extend(trails.iter().zip(seen.1).zip(sides).map(|((trail, first), side)| match mode {
         _ if !first.is_drawn() => NOTHING,
-        Mode::End => end(scene, trail),
+        Mode::End => end(trail, side),
         _ => scale(f64::from(trail.bounces) / f64::from(most.max(1))),
     }));
 }
@@ -55,10 +57,10 @@ fn angle(ray: &Ray, hit: &Hit) -> [f32; 3] {
     scale(native::acos(cosine.clamp(0.0, 1.0)) / FRAC_PI_2)
 }
 
-/// The colour of what a ray ends on: a surface, if it may be mirrored no further; else the direction in which it leaves, (d + 1)/2.
-fn end(scene: &Scene, trail: &Trail) -> [f32; 3] {
+/// The colour of what a ray ends on: a surface, whose side has this colour, if it may be mirrored no further; else the direction in which it leaves, (d + 1)/2.
+fn end(trail: &Trail, side: DVec3) -> [f32; 3] {
     match trail.hit.is_drawn() {
-        true => pixel(side(scene, &trail.hit)),
+        true => pixel(side),
         false => pixel((trail.ray.direction + DVec3::ONE) * 0.5),
     }
 }

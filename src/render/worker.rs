@@ -3,13 +3,13 @@
 //! In: tiles, one after the other. Out: colours and what the rays know, on the canvas that all threads share.
 
 use super::canvas::{Canvas, Edge, lock};
-use super::integrator::{pixel, shade};
+use super::integrator::{behind, colours_of, pixel, shade};
 use super::sampling;
-use super::settings::{Mode, Settings};
+use super::settings::{Background, Mode, Settings};
 use super::studio::blend::Window;
 use super::studio::gather::{self, Sample, gather};
 use super::studio::glimpse::{Glimpse, Light, Remembered, point};
-use super::studio::{self, backdrop};
+use super::studio::{self, Seen, backdrop};
 use super::tiles::{Job, Tile};
 use super::trace::Trace;
 use super::trails;
@@ -19,6 +19,7 @@ use crate::film::Layer;
 use crate::scene::Scene;
 use crate::scene::studio::Studio;
 use crate::surface::{Hit, Ray, Rectangle};
+use glam::DVec3;
 use std::ops::Range;
 use std::sync::Mutex;
 
@@ -84,7 +85,7 @@ impl<'a, T: Trace> Worker<'a, T> {
         self.look(tile.squares(side).map(|square| (square.middle().0, square.middle().1, 0)));
         self.window = Window::default();
         self.colour();
-        lock(self.canvas).fill(tile.squares(side), &self.colours);
+        lock(self.canvas).fill(tile.squares(side), &self.hits, &self.colours);
     }
 
     /// One ray through the centre of every pixel of the tile. In mode `studio` they are coloured when all are known.
@@ -115,10 +116,12 @@ impl<'a, T: Trace> Worker<'a, T> {
         self.look_around(tile, memory);
         self.aim(tile.pixels().map(|(i, j)| (i, j, 0)));
         self.colours.clear();
+        let glimpses: Vec<Glimpse> = tile.pixels().map(|(i, j)| self.window.at(i, j).glimpse).collect();
+        let sides = self.sides(&glimpses);
         for (k, (i, j)) in tile.pixels().enumerate() {
             let kept = self.window.at(i, j);
             let light = self.shared_light(k, &kept.glimpse).unwrap_or_else(|| kept.light());
-            self.colours.push(self.studio_colour(k, &kept.glimpse, &light));
+            self.colours.push(self.studio_colour(k, &kept.glimpse, &light, sides[k]));
         }
         lock(self.canvas).colour(tile, &self.colours);
     }
@@ -143,7 +146,9 @@ impl<'a, T: Trace> Worker<'a, T> {
     fn add_samples(&mut self, edges: &mut [&mut Edge], indices: Range<u32>) {
         self.look(edges.iter().flat_map(|edge| indices.clone().map(|k| (edge.at.0, edge.at.1, k))));
         self.colour();
-        for (edge, colours) in edges.iter_mut().zip(self.colours.chunks(indices.len())) {
+        let hits = self.hits.chunks(indices.len());
+        for ((edge, colours), hits) in edges.iter_mut().zip(self.colours.chunks(indices.len())).zip(hits) {
+            edge.covered += hits.iter().map(|hit| u32::from(hit.is_drawn())).sum::<u32>();
             if edge.count == 1 {
                 let first = edge.sum.map(|light| light as f32);
                 edge.is_torn = sampling::is_torn(first, colours);
@@ -217,6 +222,20 @@ impl<'a, T: Trace> Worker<'a, T> {
             }
             _ => shade(mode, self.scene, &self.rays, &self.hits, colours),
         }
+        self.lay_behind();
+    }
+
+    /// Puts what is behind the surfaces where nothing was hit, if it was asked for.
+    fn lay_behind(&mut self) {
+        let background = self.settings.background;
+        if background == Background::Own {
+            return;
+        }
+        for ((colour, ray), hit) in self.colours.iter_mut().zip(&self.rays).zip(&self.hits) {
+            if let (false, Some(behind)) = (hit.is_drawn(), behind(background, self.scene, ray)) {
+                *colour = pixel(behind);
+            }
+        }
     }
 
     /// Colours the rays looked at last, by the light of their neighbours, or where there is none by light of their own.
@@ -229,6 +248,7 @@ impl<'a, T: Trace> Worker<'a, T> {
         let hits: Vec<Hit> = alone.iter().map(|&k| self.hits[k]).collect();
         let seen = (&samples[..], &rays[..], &hits[..]);
         gather(self.scene, &self.lights, &mut self.tracer, seen, &mut self.scratch, &mut self.gathered);
+        let sides = self.sides(&glimpses);
         let mut own = self.gathered.iter();
         self.colours.clear();
         for (k, glimpse) in glimpses.iter().enumerate() {
@@ -236,7 +256,7 @@ impl<'a, T: Trace> Worker<'a, T> {
                 None if glimpse.is_drawn() => own.next().copied().unwrap_or(Light::OPEN),
                 shared => shared.unwrap_or(Light::OPEN),
             };
-            let colour = self.studio_colour(k, glimpse, &light);
+            let colour = self.studio_colour(k, glimpse, &light, sides[k]);
             self.colours.push(colour);
         }
     }
@@ -253,16 +273,25 @@ impl<'a, T: Trace> Worker<'a, T> {
         self.scene.camera.footprint(self.settings.size.height(), f64::from(glimpse.t))
     }
 
-    /// What ray k sees.
-    fn studio_colour(&self, k: usize, glimpse: &Glimpse, light: &Light) -> [f32; 3] {
+    /// The colours of what the rays see.
+    fn sides(&self, glimpses: &[Glimpse]) -> Vec<DVec3> {
+        colours_of(self.scene, self.rays.iter().zip(glimpses).map(|(ray, glimpse)| glimpse.place(ray)))
+    }
+
+    /// What ray k sees, of which the surface has this colour.
+    fn studio_colour(&self, k: usize, glimpse: &Glimpse, light: &Light, colour: DVec3) -> [f32; 3] {
         if !glimpse.is_drawn() {
+            if let Some(behind) = behind(self.settings.background, self.scene, &self.rays[k]) {
+                return pixel(behind);
+            }
             let (i, j, _) = self.samples[k];
             let [across, down] = place(self.samples[k]);
             let half = f64::from(self.settings.size.height()) / 2.0;
             let aspect = f64::from(self.settings.size.width()) / f64::from(self.settings.size.height());
             return pixel(backdrop::backdrop([across / half - aspect, down / half - 1.0], (i, j)));
         }
-        pixel(studio::colour(self.scene, &self.lights, &self.rays[k], glimpse, light, self.footprint(glimpse)))
+        let seen = Seen { colour, footprint: self.footprint(glimpse) };
+        pixel(studio::colour(self.scene, &self.lights, &self.rays[k], glimpse, light, seen))
     }
 
     /// Traces the sample k of pixel (i, j) for all (i, j, k), into `rays` and `hits`.

@@ -2,6 +2,7 @@
 //!
 //! In: bytes of sRGB, or which of how many surfaces it is. Out: red, green, blue of linear light with sRGB primaries.
 
+use super::texture::Texture;
 use crate::num::func;
 use crate::num::level::Portable;
 use glam::DVec3;
@@ -19,29 +20,70 @@ const BACK_SHARE: f64 = 0.5;
 const BACK_GREY: f64 = 0.35;
 
 /// The two sides of a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Sides {
     /// Where f is positive: the outside.
     pub front: DVec3,
     /// Where f is negative.
     pub back: DVec3,
+    /// The colour of the outside, where it changes from point to point.
+    pub paint: Option<Texture>,
+    /// What is left of the colour under contour lines.
+    pub lines: Option<Texture>,
+    /// Whether the outside is where f is negative.
+    pub is_turned: bool,
 }
 
 impl Sides {
     /// The sides of a surface of one colour: its back is the same hue, darker and greyer.
     pub fn of(front: DVec3) -> Self {
-        let grey = DVec3::splat((front.x + front.y + front.z) / 3.0);
-        Sides { front, back: front.lerp(grey, BACK_GREY) * BACK_SHARE }
+        Sides::plain(front, back_of(front))
+    }
+
+    fn plain(front: DVec3, back: DVec3) -> Self {
+        Sides { front, back, paint: None, lines: None, is_turned: false }
+    }
+
+    /// Whether the colours change from point to point.
+    pub fn is_varying(&self) -> bool {
+        self.paint.is_some() || self.lines.is_some()
+    }
+
+    /// The colours at points of the surface, each with whether it is seen from where f is negative; `out` is replaced.
+    pub fn colours(&self, points: &[DVec3], is_negative: &[bool], out: &mut Vec<DVec3>) {
+        out.clear();
+        match &self.paint {
+            None => out.extend(is_negative.iter().map(|&negative| if negative { self.back } else { self.front })),
+            Some(paint) => {
+                paint.values(points, out);
+                for (colour, &negative) in out.iter_mut().zip(is_negative) {
+                    if negative != self.is_turned {
+                        *colour = back_of(*colour);
+                    }
+                }
+            }
+        }
+        if let Some(lines) = &self.lines {
+            let mut left = Vec::new();
+            lines.values(points, &mut left);
+            out.iter_mut().zip(&left).for_each(|(colour, left)| *colour *= *left);
+        }
     }
 
     /// The sides of the surface of this index where none of `count` was given a colour: alone it is blue outside
     /// and orange inside, in company each has a hue of its own.
     pub fn by_default(index: usize, count: usize) -> Self {
         if count == 1 {
-            return Sides { front: from_bytes(PALETTE[0]), back: from_bytes(PALETTE[1]) };
+            return Sides::plain(from_bytes(PALETTE[0]), from_bytes(PALETTE[1]));
         }
         Sides::of(from_bytes(PALETTE[index % PALETTE.len()]))
     }
+}
+
+/// The back of a coloured surface.
+fn back_of(front: DVec3) -> DVec3 {
+    let grey = DVec3::splat((front.x + front.y + front.z) / 3.0);
+    front.lerp(grey, BACK_GREY) * BACK_SHARE
 }
 
 /// The linear light of an sRGB value of 0..=1 (IEC 61966-2-1).
@@ -112,7 +154,7 @@ mod tests {
 
     #[test]
     fn the_two_sides_of_a_surface_are_far_apart_for_every_colour_vision() {
-        let Sides { front, back } = Sides::by_default(0, 1);
+        let Sides { front, back, .. } = Sides::by_default(0, 1);
         assert!(least_difference(&[front, back]) > 70.0);
     }
 

@@ -11,7 +11,8 @@
 //! - [`fit`]: where the eye stands so that what there is to see fills the picture.
 //! - [`framing`]: the ball around what there is to see.
 //! - [`light`]: lights and surroundings; [`daylight`]: the clear sky.
-//! - [`material`]: what surfaces are made of; [`metals`]: measured ones; [`texture`]: colours that change from point to point.
+//! - [`material`]: what surfaces are made of; [`metals`]: measured ones; [`texture`]: colours that change from point to point; [`palette`]:
+//!   maps of colours.
 //! - [`studio`]: the lights of a scene without lights.
 //! - [`view`]: what was asked of the camera, and the camera that it means.
 
@@ -25,6 +26,7 @@ pub mod framing;
 pub mod light;
 pub mod material;
 pub mod metals;
+pub mod palette;
 pub mod studio;
 pub mod texture;
 pub mod view;

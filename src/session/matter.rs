@@ -4,13 +4,14 @@
 //! the plan, which decides what is seen and from where.
 
 use super::inside;
+use super::paint::Painter;
 use crate::diag::Diagnostic;
 use crate::expr::graph::Graph;
 use crate::expr::lower::{self, Color, Lowered, Matter, MatterKind, Metal, Paint, SkyKind, SurfaceFormula};
 use crate::num::level::Simd;
 use crate::scene::daylight::Daylight;
 use crate::scene::material::{Conductor, DEFAULT_ALBEDO, DEFAULT_IOR, Dielectric, Kind};
-use crate::scene::{Light, Material, Scene, Sky, Texture, angle, colour, metals};
+use crate::scene::{Light, Material, Scene, Sides, Sky, Texture, angle, colour, metals};
 use glam::DVec3;
 
 /// A colour as linear light.
@@ -22,34 +23,61 @@ pub(super) fn linear(color: Color) -> DVec3 {
 }
 
 /// Gives a scene its materials, its lights and its sky; what had to be assumed is returned.
-pub(super) fn furnish(scene: &mut Scene, lowered: &mut Lowered, simd: Simd) -> Vec<Diagnostic> {
+pub(super) fn furnish(
+    scene: &mut Scene,
+    lowered: &mut Lowered,
+    surfaces: &[&SurfaceFormula],
+    simd: Simd,
+) -> Vec<Diagnostic> {
     let mut notes = Vec::new();
-    scene.materials = materials(&mut lowered.graph, &lowered.surfaces, simd, &mut notes);
+    let kinds = kinds(&mut lowered.graph, surfaces, simd, &mut notes);
+    let painter = Painter { graph: &lowered.graph, simd, radius: scene.radius };
+    let materials = surfaces.iter().zip(kinds).map(|(surface, kind)| material(&surface.matter, kind, &painter));
+    scene.materials = materials.collect();
     scene.lights = lowered.lights.iter().map(light).collect();
     scene.sky = sky(lowered, &scene.materials);
     notes
 }
 
-/// What the surfaces are made of, in their order; what is to be said of them goes to `notes`.
-fn materials(graph: &mut Graph, surfaces: &[SurfaceFormula], simd: Simd, notes: &mut Vec<Diagnostic>) -> Vec<Material> {
-    let made = surfaces.iter().enumerate().map(|(index, surface)| {
-        let matter = &surface.matter;
-        let kind = match matter.kind {
-            MatterKind::Glass => Kind::Glass(Dielectric {
-                inside_is_negative: inside::is_negative(graph, surface, simd, notes),
-                ..dielectric(matter, index)
-            }),
-            kind => kind_of(kind, matter),
-        };
-        Material {
-            kind,
-            color: texture(&matter.color, DVec3::splat(DEFAULT_ALBEDO)),
-            roughness: texture(&matter.roughness, DVec3::ZERO),
-            emission: texture(&matter.emission, DVec3::ZERO),
-            opacity: texture(&matter.opacity, DVec3::ONE),
-        }
-    });
-    made.collect()
+fn material(matter: &Matter, kind: Kind, painter: &Painter<'_>) -> Material {
+    let texture =
+        |paint: &Option<Paint>, default: DVec3, most: f64| painter.texture(paint.as_ref(), None, default, most);
+    let albedo = DVec3::splat(DEFAULT_ALBEDO);
+    Material {
+        kind,
+        color: painter.texture(matter.color.as_ref(), matter.lines.as_ref(), albedo, 1.0),
+        roughness: texture(&matter.roughness, DVec3::ZERO, 1.0),
+        emission: texture(&matter.emission, DVec3::ZERO, f64::MAX),
+        opacity: texture(&matter.opacity, DVec3::ONE, 1.0),
+    }
+}
+
+/// How the surfaces scatter, in their order; what is to be said of them goes to `notes`.
+fn kinds(graph: &mut Graph, surfaces: &[&SurfaceFormula], simd: Simd, notes: &mut Vec<Diagnostic>) -> Vec<Kind> {
+    let kind = |(index, surface): (usize, &&SurfaceFormula)| match surface.matter.kind {
+        MatterKind::Glass => Kind::Glass(Dielectric {
+            inside_is_negative: inside::is_negative(graph, surface, simd, notes),
+            ..dielectric(&surface.matter, index)
+        }),
+        kind => kind_of(kind, &surface.matter),
+    };
+    surfaces.iter().enumerate().map(kind).collect()
+}
+
+/// What the two sides of a surface look like where no light is followed; `is_turned` if f is negative outside.
+pub(super) fn sides(matter: &Matter, default: Sides, is_turned: bool, painter: &Painter<'_>) -> Sides {
+    let white = Texture::Constant(DVec3::ONE);
+    let lines = matter.lines.as_ref().map(|lines| painter.texture(None, Some(lines), DVec3::ONE, 1.0));
+    let paint = matter.color.as_ref().map(|paint| painter.texture(Some(paint), None, DVec3::ZERO, 1.0));
+    let metal = matter.conductor.map(|metal| conductor(metal).normal_reflectance());
+    let sides = match (metal, paint) {
+        (Some(reflectance), _) => Sides::of(reflectance),
+        (None, Some(Texture::Constant(colour))) => Sides::of(colour),
+        (None, Some(paint)) => Sides { paint: Some(paint), ..default },
+        (None, None) => default,
+    };
+    let sides = Sides { lines: lines.filter(|lines| lines.constant() != white.constant()), is_turned, ..sides };
+    if is_turned { Sides { front: sides.back, back: sides.front, ..sides } } else { sides }
 }
 
 fn kind_of(kind: MatterKind, matter: &Matter) -> Kind {
@@ -82,13 +110,6 @@ fn conductor(written: lower::Conductor) -> Conductor {
             Metal::Aluminium => metals::ALUMINIUM,
             Metal::Iron => metals::IRON,
         },
-    }
-}
-
-fn texture(paint: &Option<Paint>, default: DVec3) -> Texture {
-    match paint {
-        None => Texture::Constant(default),
-        Some(Paint::Plain(color)) => Texture::Constant(linear(*color)),
     }
 }
 

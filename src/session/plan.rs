@@ -3,18 +3,23 @@
 //! In: a program without errors and the wishes of the command line, which win over it. Out: a [`Plan`], or why there
 //! is none. Here what was left open is found: the region, the eye, the colours.
 
+use super::cap;
 use super::matter;
 use super::outlook::{Outlook, Place};
+use super::paint::Painter;
 use super::program::Program;
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
-use crate::expr::lower::{Clip as WrittenClip, ClipShape, Kind as WrittenKind, Paint, SurfaceFormula};
-use crate::film::Size;
+use crate::expr::curvature;
+use crate::expr::equation::whole;
+use crate::expr::graph::{Graph, NodeId};
+use crate::expr::lower::{self, Clip as WrittenClip, ClipShape, Kind as WrittenKind, Lowered, SurfaceFormula};
+use crate::film::{Size, Tone};
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
 use crate::render::filter::Filter;
 use crate::render::settings::DEFAULT_BOUNCES;
-use crate::render::{Drawing, Failure, Mode, Passes, Settings, Watch};
+use crate::render::{Background, Drawing, Failure, Mode, Passes, Settings, Watch};
 use crate::scene::cells::Cell;
 use crate::scene::framing::{self, MAX_POWER};
 use crate::scene::{Framing, Scene, Sides, View};
@@ -26,9 +31,6 @@ const MARCH_SHARE: f64 = 1.0 / 256.0;
 
 /// How far outside the region the sign of f is read, in radii: anywhere outside a bounded surface has the same.
 const OUTSIDE: DVec3 = DVec3::new(1.9, 1.7, 1.3);
-
-/// Modes that the design has and this version does not.
-pub const LATER_MODES: [&str; 1] = ["curvature"];
 
 /// How roots are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -53,6 +55,14 @@ pub struct Wishes {
     pub bounces: Option<u32>,
     /// Which set of random numbers.
     pub seed: Option<u64>,
+    /// By how many stops light is made brighter.
+    pub exposure: Option<f64>,
+    /// The tone curve, where light is shown.
+    pub tone: Option<Tone>,
+    /// What is behind everything.
+    pub background: Option<Background>,
+    /// How much a place counts in a pixel.
+    pub filter: Option<Filter>,
     /// The camera.
     pub view: View,
     /// What is seen of everything: all of these; replaces the program's.
@@ -130,12 +140,19 @@ impl Plan {
         }
         check_region(program, wishes, &region)?;
         let graph = &mut program.lowered.graph;
+        objects
+            .iter_mut()
+            .filter(|object| object.formula.matter.cap)
+            .for_each(|object| object.close(graph, wishes.simd));
         let surfaces: Vec<Surface> = objects
             .iter()
             .map(|o| Surface::new(graph, o.formula.f, kind_of(&o.formula), &o.clip, wishes.simd))
             .collect();
         let mut scene = scene(program, wishes, &objects, &surfaces, &region, found, &settings)?;
-        let notes = matter::furnish(&mut scene, &mut program.lowered, wishes.simd);
+        paint(&mut scene, &mut program.lowered, &objects, &smallest(&region), settings.mode, wishes.simd);
+        let formulas: Vec<&SurfaceFormula> = objects.iter().map(|object| &object.formula).collect();
+        let mut notes = matter::furnish(&mut scene, &mut program.lowered, &formulas, wishes.simd);
+        notes.extend(background_without_use(program, wishes, settings.mode));
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,
             Method::March(Some(step)) => surface::Method::March { step },
@@ -160,6 +177,15 @@ struct Object {
     clip: Clip,
     f: Formula,
     fields: Vec<Formula>,
+}
+
+impl Object {
+    /// Closes it where its clip cuts it.
+    fn close(&mut self, graph: &mut Graph, simd: Simd) {
+        cap::close(graph, &mut self.formula, &mut self.clip);
+        self.f = Formula::new(graph, self.formula.f, simd);
+        self.fields.clear();
+    }
 }
 
 fn objects(program: &mut Program, wishes: &Wishes) -> Vec<Object> {
@@ -222,27 +248,71 @@ fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, Refusal> {
     };
     let mode = match (wishes.mode, block.and_then(|render| render.mode.as_ref())) {
         (Some(mode), _) => mode,
-        (None, Some(written)) => Mode::from_name(&written.name).ok_or_else(|| unknown_mode(written))?,
+        (None, Some(word)) => Mode::from_name(&word.name).ok_or_else(|| unknown(word, "mode", &Mode::ALL))?,
         (None, None) => Mode::default(),
     };
+    let tone = match (wishes.tone, block.and_then(|render| render.tonemap.as_ref())) {
+        _ if mode.tone() == Tone::Data => Tone::Data,
+        (Some(tone), _) => tone,
+        (None, Some(word)) => Tone::from_name(&word.name).ok_or_else(|| unknown(word, "tone curve", &Tone::CURVES))?,
+        (None, None) => mode.tone(),
+    };
+    let filter = match (wishes.filter, block.and_then(|render| render.filter.as_ref())) {
+        (Some(filter), _) => filter,
+        (None, Some(word)) => Filter::from_name(&word.name).ok_or_else(|| unknown(word, "filter", &Filter::ALL))?,
+        (None, None) => Filter::default(),
+    };
+    let exposure = wishes.exposure.or(block.and_then(|render| render.exposure)).unwrap_or(0.0);
+    let written = block.and_then(|render| render.background).map(background);
+    let background = wishes.background.or(written).filter(|_| mode.has_background()).unwrap_or_default();
     let samples = wishes.samples.or(block.and_then(|render| render.samples)).unwrap_or_else(|| mode.default_samples());
     let bounces = wishes.bounces.or(block.and_then(|render| render.bounces)).unwrap_or(DEFAULT_BOUNCES);
-    let seed = wishes.seed.or(block.and_then(|render| render.seed).map(u64::from)).unwrap_or(0);
+    let seed = wishes.seed.or(block.and_then(|render| render.seed)).unwrap_or(0);
     let threads = wishes.threads.max(1);
     let Wishes { keep_depth, keep_normals, passes, .. } = *wishes;
-    let filter = Filter::default();
-    Ok(Settings { size, mode, samples, bounces, seed, filter, threads, keep_depth, keep_normals, passes })
+    Ok(Settings {
+        size,
+        mode,
+        samples,
+        bounces,
+        seed,
+        filter,
+        tone,
+        exposure,
+        background,
+        threads,
+        keep_depth,
+        keep_normals,
+        passes,
+    })
 }
 
-fn unknown_mode(written: &crate::expr::lower::Mode) -> Refusal {
-    let names: Vec<&str> = Mode::ALL.iter().map(|(name, _)| *name).collect();
-    let name = crate::diag::printable(&written.name, 40);
-    let message = match LATER_MODES.contains(&written.name.as_str()) {
-        true => format!("the mode '{name}' is not built yet"),
-        false => format!("there is no mode '{name}'"),
-    };
-    let diagnostic = Diagnostic::error(written.span, message).help(format!("there are {}", names.join(", ")));
-    Refusal::Program(vec![diagnostic])
+fn background(written: lower::Background) -> Background {
+    match written {
+        lower::Background::Color(color) => Background::Plain(matter::linear(color)),
+        lower::Background::Transparent => Background::Clear,
+        lower::Background::Sky => Background::Sky,
+    }
+}
+
+/// Says so if a background was asked for in a mode that has none to choose.
+fn background_without_use(program: &Program, wishes: &Wishes, mode: Mode) -> Option<Diagnostic> {
+    let block = program.lowered.render.as_ref();
+    let is_asked_for = wishes.background.is_some() || block.is_some_and(|render| render.background.is_some());
+    if !is_asked_for || mode.has_background() {
+        return None;
+    }
+    let span = block.map(|render| render.span).unwrap_or_default();
+    let note = Diagnostic::note(span, "this mode makes no use of `background`");
+    let note = note.help("`studio`, `cosine` and `mirror` do; the modes that follow light show the sky");
+    Some(if wishes.background.is_some() { Diagnostic { labels: Vec::new(), ..note } } else { note })
+}
+
+fn unknown<T>(word: &lower::Word, what: &str, all: &[(&'static str, T)]) -> Refusal {
+    let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    let name = crate::diag::printable(&word.name, 40);
+    let diagnostic = Diagnostic::error(word.span, format!("there is no {what} '{name}'"));
+    Refusal::Program(vec![diagnostic.help(format!("there are {}", names.join(", ")))])
 }
 
 /// Refuses a region that the square of a distance in it overflows for.
@@ -294,9 +364,7 @@ fn scene(
         }
         _ => Refusal::Wishes(error.to_string()),
     })?;
-    let count = objects.len();
-    let sides =
-        objects.iter().enumerate().map(|(index, object)| sides(object, index, count, &smallest(region))).collect();
+    let sides = Vec::new();
     let clips = objects.iter().map(|object| object.clip.shapes.clone()).collect();
     let whole = smallest(region);
     let bounds = objects.iter().map(|object| {
@@ -308,18 +376,36 @@ fn scene(
     Ok(Scene { camera, look_at, sides, clips, bounds, materials, lights, sky, center, radius })
 }
 
-/// The colours of a surface: its front is its outside, which is where f < 0 if f is so all around the region.
-fn sides(object: &Object, index: usize, count: usize, region: &Shape) -> Sides {
-    let sides = match object.formula.matter.color {
-        Some(Paint::Plain(color)) => Sides::of(matter::linear(color)),
-        None => Sides::by_default(index, count),
-    };
+/// Whether f is negative all around the region, so that the outside is where f < 0.
+fn is_negative_outside(object: &Object, region: &Shape) -> bool {
     let corner = |k: u32| DVec3::select(glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0), OUTSIDE, -OUTSIDE);
     let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| axis * OUTSIDE.x);
-    let around = (0..8).map(corner).chain(axes).chain(axes.map(|axis| -axis));
-    let is_negative_outside =
-        around.into_iter().all(|offset| object.f.value(region.center() + offset * region.size()) < 0.0);
-    if is_negative_outside { Sides { front: sides.back, back: sides.front } } else { sides }
+    let mut around = (0..8).map(corner).chain(axes).chain(axes.map(|axis| -axis));
+    around.all(|offset| object.f.value(region.center() + offset * region.size()) < 0.0)
+}
+
+/// Gives a scene the colours of its surfaces: their own, or what the mode shows instead.
+fn paint(scene: &mut Scene, lowered: &mut Lowered, objects: &[Object], region: &Shape, mode: Mode, simd: Simd) {
+    let curvatures: Vec<Option<NodeId>> = objects.iter().map(|object| curvature_of(lowered, object, mode)).collect();
+    let painter = Painter { graph: &lowered.graph, simd, radius: scene.radius };
+    let sides = objects.iter().zip(curvatures).enumerate().map(|(index, (object, curvature))| {
+        let default = Sides::by_default(index, objects.len());
+        match curvature {
+            Some(gauss) => Sides { paint: painter.curvature(gauss), ..default },
+            None => matter::sides(&object.formula.matter, default, is_negative_outside(object, region), &painter),
+        }
+    });
+    scene.sides = sides.collect();
+}
+
+/// The Gauss curvature of a surface, in the mode that shows it.
+fn curvature_of(lowered: &mut Lowered, object: &Object, mode: Mode) -> Option<NodeId> {
+    let graph = &mut lowered.graph;
+    let f = object.formula.f;
+    (mode == Mode::Curvature).then(|| {
+        let g = if object.formula.kind == WrittenKind::Solid { f } else { whole(graph, f) };
+        curvature::gauss(graph, g)
+    })
 }
 
 /// What is proven of a box for all surfaces.

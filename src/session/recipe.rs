@@ -8,7 +8,9 @@ use super::plan::{Method, Plan, Wishes};
 use super::program::Program;
 use crate::diag::{Source, Span};
 use crate::expr::lower::ClipShape;
-use crate::render::Mode;
+use crate::film::Tone;
+use crate::render::filter::Filter;
+use crate::render::{Background, Mode, Settings};
 use crate::scene::view::DEFAULT_FOV;
 use crate::surface::Shape;
 use crate::syntax::ast::{BlockKind, Expr, Statement, StatementKind};
@@ -80,17 +82,46 @@ fn camera(plan: &Plan) -> String {
 fn render(program: &Program, wishes: &Wishes, plan: &Plan) -> String {
     let mode = Mode::ALL.into_iter().find(|(_, mode)| *mode == plan.settings.mode).map_or("studio", |(name, _)| name);
     let mut text = format!("render {{ size: {}, mode: {mode}, samples: {}", plan.settings.size, plan.settings.samples);
-    let block = program.lowered.render.as_ref();
-    if let Some(bounces) = block.and_then(|block| block.bounces) {
-        let _ = write!(text, ", bounces: {bounces}");
-    }
-    if let Some(seed) = block.and_then(|block| block.seed) {
-        let _ = write!(text, ", seed: {seed}");
-    }
+    text += &of_light(&plan.settings);
     if let Some(clip) = clip(program, wishes, plan) {
         let _ = write!(text, ", clip: {clip}");
     }
     text + " }\n"
+}
+
+/// What else is said of the picture, where it is not as usual.
+fn of_light(settings: &Settings) -> String {
+    let usual = Settings::default();
+    let mut text = String::new();
+    if settings.bounces != usual.bounces {
+        let _ = write!(text, ", bounces: {}", settings.bounces);
+    }
+    if settings.seed != usual.seed && i64::try_from(settings.seed).is_ok() {
+        let _ = write!(text, ", seed: {}", settings.seed);
+    }
+    if settings.exposure != usual.exposure {
+        let _ = write!(text, ", exposure: {}", number(settings.exposure));
+    }
+    if let (true, Some(name)) = (settings.tone != settings.mode.tone(), name_of(&Tone::CURVES, settings.tone)) {
+        let _ = write!(text, ", tonemap: {name}");
+    }
+    if let (true, Some(name)) = (settings.filter != usual.filter, name_of(&Filter::ALL, settings.filter)) {
+        let _ = write!(text, ", filter: {name}");
+    }
+    match settings.background {
+        Background::Own => {}
+        Background::Clear => text += ", background: transparent",
+        Background::Sky => text += ", background: sky",
+        Background::Plain(colour) => {
+            let [r, g, b] = colour.to_array().map(number);
+            let _ = write!(text, ", background: rgb({r}, {g}, {b})");
+        }
+    }
+    text
+}
+
+fn name_of<T: PartialEq>(all: &[(&'static str, T)], value: T) -> Option<&'static str> {
+    all.iter().find(|(_, other)| *other == value).map(|(name, _)| *name)
 }
 
 /// The region of everything: as wished, as written, or as found.
@@ -145,6 +176,9 @@ fn options(wishes: &Wishes, plan: &Plan) -> String {
     let mut text = String::new();
     if let Some(height) = plan.view.parallel_height {
         let _ = write!(text, " --ortho {}", number(height));
+    }
+    if i64::try_from(plan.settings.seed).is_err() {
+        let _ = write!(text, " --seed {}", plan.settings.seed);
     }
     match wishes.method {
         Method::Faithful => {}

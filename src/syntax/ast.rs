@@ -119,6 +119,8 @@ pub enum AttributeValue {
     Text(String, Span),
     /// `800x600`.
     Size(u32, u32, Span),
+    /// `checker(0.5, white, navy)`: one of [`super::functions::PAINTS`], whose arguments may be colours and texts.
+    Call(Name, Vec<AttributeValue>, Span),
     /// `box(-2..2, -2..2, -2..2)`: the ranges.
     Box(Vec<(Expr, Expr)>, Span),
 }

@@ -4,6 +4,7 @@
 //! does not hide those in the others.
 
 use super::ast::{Attribute, AttributeValue, Expr, ExprKind, Name};
+use super::functions;
 use super::reader::{Read, Reader};
 use super::token::{Bracket, Token, TokenKind};
 use crate::diag::{Diagnostic, printable};
@@ -61,6 +62,9 @@ impl Reader<'_> {
 
     fn entry(&mut self, words: &[Token]) -> Option<Attribute> {
         let mut reader = Reader::new(self.text, words, self.names, self.report);
+        // A name that the program defines is the program's.
+        let free = |name: &&&str| self.names.declared(name).is_none();
+        reader.scope = functions::OF_SURFACE.iter().filter(free).map(|name| (*name).to_owned()).collect();
         let found = reader.key_and_value();
         let failed = reader.failed;
         self.failed |= failed;
@@ -83,7 +87,7 @@ impl Reader<'_> {
         }
         self.skip(1);
         let key = Name { text: text.to_owned(), span: word.span };
-        let value = self.attribute_value(&key.text)?;
+        let value = self.attribute_value(&key.text, false)?;
         if self.peek().kind == TokenKind::Name && self.second().kind == TokenKind::Colon {
             let next = self.peek().span;
             let error = Diagnostic::error(next, format!("expected `,` before `{}`", printable(self.written(next), 20)));
@@ -93,7 +97,8 @@ impl Reader<'_> {
         Ok(Attribute { key, value })
     }
 
-    fn attribute_value(&mut self, key: &str) -> Read<AttributeValue> {
+    /// The value behind a key, or an argument of a call that is one.
+    fn attribute_value(&mut self, key: &str, is_argument: bool) -> Read<AttributeValue> {
         let Some(word) = self.raw() else {
             let end = self.peek().span;
             return Err(self.stop(Diagnostic::error(end, "the value is missing")));
@@ -116,7 +121,8 @@ impl Reader<'_> {
                 self.skip(2);
                 Ok(AttributeValue::Size(width, height, span))
             }
-            TokenKind::Name if key != "clip" && self.ends_after_one() => {
+            TokenKind::Name if functions::is_paint(written) && self.is_call() => self.paint_call(key, word),
+            TokenKind::Name if key != "clip" && self.ends_after_one() && !self.is_formula(key, word, is_argument) => {
                 self.skip(1);
                 let kind = ExprKind::Name(written.to_owned());
                 Ok(AttributeValue::Expr(Expr { kind, span: word.span }))
@@ -128,10 +134,43 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether the next word has a bracket behind it, and is no function of the program.
+    fn is_call(&self) -> bool {
+        self.second().kind == TokenKind::Open(Bracket::Round)
+            && self.raw().is_some_and(|word| self.names.declared(self.written(word.span)).is_none())
+    }
+
+    /// `checker(0.5, white, navy)`
+    fn paint_call(&mut self, key: &str, word: Token) -> Read<AttributeValue> {
+        self.nest()?;
+        let name = Name { text: self.written(word.span).to_owned(), span: word.span };
+        self.skip(1);
+        let open = self.take();
+        let mut arguments = Vec::new();
+        loop {
+            arguments.push(self.attribute_value(key, true)?);
+            if self.accept(TokenKind::Comma).is_none() {
+                break;
+            }
+        }
+        self.close(open, Bracket::Round)?;
+        self.depth -= 1;
+        Ok(AttributeValue::Call(name, arguments, self.since(word.span)))
+    }
+
+    /// Whether a single word is read as a formula, in which `xy` is a product: where numbers are expected, and among the arguments
+    /// of a call unless it is the name of nothing, as colours are.
+    fn is_formula(&self, key: &str, word: Token, is_argument: bool) -> bool {
+        let is_number = matches!(key, "roughness" | "opacity" | "emission");
+        (is_number || is_argument) && self.splits(word)
+    }
+
     /// Whether the value is one word, such as `red`: that need not be a name of the program.
     fn ends_after_one(&self) -> bool {
-        matches!(self.second().kind, TokenKind::End | TokenKind::Semicolon)
-            || self.second().kind == TokenKind::Name && self.third().kind == TokenKind::Colon
+        matches!(
+            self.second().kind,
+            TokenKind::End | TokenKind::Semicolon | TokenKind::Comma | TokenKind::Close(Bracket::Round)
+        ) || self.second().kind == TokenKind::Name && self.third().kind == TokenKind::Colon
     }
 
     /// `800x600`, which is a number and a name to the lexer.

@@ -200,6 +200,49 @@ pub fn elsewhere(name: &str) -> Option<&'static str> {
     ELSEWHERE.iter().find(|(other, _)| *other == name).map(|(_, here)| *here)
 }
 
+/// A function of colours and lines: its arguments may be colours, and it stands behind a key alone.
+#[derive(Clone, Copy, Debug)]
+pub struct PaintFunction {
+    /// Its name.
+    pub name: &'static str,
+    /// How it is called, for messages.
+    pub signature: &'static str,
+    /// What it is.
+    pub about: &'static str,
+}
+
+/// All functions of colours and lines, in the order of grammar.md.
+pub const PAINTS: [PaintFunction; 4] = [
+    PaintFunction {
+        name: "palette",
+        signature: "palette(\"viridis\", value) or palette(\"viridis\", value, low, high)",
+        about: "the colour of a map: its first where the value is low (0), its last where it is high (1)",
+    },
+    PaintFunction {
+        name: "checker",
+        signature: "checker(size, a, b) or checker(size, a, b, u, v)",
+        about: "cubes of x, y and z, or squares of u and v, in turn of two colours",
+    },
+    PaintFunction {
+        name: "mix",
+        signature: "mix(a, b, t)",
+        about: "the first colour where t <= 0, the second where t >= 1, in between both",
+    },
+    PaintFunction {
+        name: "every",
+        signature: "every(step, f) or every(step, f, width)",
+        about: "of `lines`: dark where f is a multiple of the step, so wide on the surface",
+    },
+];
+
+/// Whether it is a function of colours and lines.
+pub fn is_paint(name: &str) -> bool {
+    PAINTS.iter().any(|function| function.name == name)
+}
+
+/// Names that stand for the surface itself, where it says what it is made of: the unit normal, the mean and the Gauss curvature.
+pub const OF_SURFACE: [&str; 5] = ["nx", "ny", "nz", "mean", "gauss"];
+
 /// Functions of clips and colours: with a bracket behind them they are these, alone a program may give them a value.
 const OF_ATTRIBUTES: [&str; 5] = ["ball", "box", "rgb", "hsl", "hsv"];
 

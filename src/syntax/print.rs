@@ -289,6 +289,10 @@ fn entry_value(value: &AttributeValue, brackets: Brackets) -> String {
         AttributeValue::Color([r, g, b], _) => format!("#{r:02x}{g:02x}{b:02x}"),
         AttributeValue::Text(text, _) => format!("\"{text}\""),
         AttributeValue::Size(width, height, _) => format!("{width}x{height}"),
+        AttributeValue::Call(name, arguments, _) => {
+            let arguments: Vec<String> = arguments.iter().map(|argument| entry_value(argument, brackets)).collect();
+            format!("{}({})", name.text, arguments.join(", "))
+        }
         AttributeValue::Box(ranges, _) => {
             let ranges: Vec<String> = ranges.iter().map(|(a, b)| range(a, b, brackets)).collect();
             format!("box({})", ranges.join(", "))

@@ -181,7 +181,7 @@ impl<'p> Reader<'p> {
     }
 
     /// Whether a name is unknown, and all its letters may be split off.
-    fn splits(&self, word: Token) -> bool {
+    pub(super) fn splits(&self, word: Token) -> bool {
         let name = self.written(word.span);
         if name.len() < 2 || !matches!(self.meaning(name), Meaning::Unknown) {
             return false;

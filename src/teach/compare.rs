@@ -214,7 +214,7 @@ mod tests {
         let size = Size::new(3, 3).unwrap();
         let picture = Layer::filled(size, [0.5; 3]);
         let depth = Some(Layer { size, values: depths.to_vec() });
-        Drawing { picture, depth, normals: None, report: Report::default(), pass: Pass::Last }
+        Drawing { picture, alpha: None, depth, normals: None, report: Report::default(), pass: Pass::Last }
     }
 
     #[test]

@@ -17,6 +17,14 @@ const ROWS: &[&str] = &[
     "parts/ring.imp|x^2+y^2+z^2=0.01",
     "x^2+y^2+z^2=1|--mode|depth|--box|-4,4,-4,4,-4,4",
     "-|--mode|proof",
+    "x^2+y^2+z^2 <= 1 { cap: true, color: palette(viridis, gauss*z), lines: every(0.25, z) }|--box|-2,2,-2,2,-2,0.5",
+    "material m { color: checker(0.5, white, navy) }; x^2+y^2+z^2=1 { material: m }|--mode|curvature",
+    "x^2+y^2+z^2=1|--exposure|-1.5|--tonemap|agx",
+    "x^2+y^2+z^2=1; render { exposure: 1/3, tonemap: none, background: #123456 }",
+    "x^2+y^2+z^2=1|--background|transparent|--mode|cosine",
+    "x^2+y^2+z^2=1; sky { top: blue, horizon: white, ground: gray }|--background|sky|--mode|mirror",
+    "x^2+y^2+z^2=1 { kind: metal, roughness: 0.3 }|--mode|path|--samples|2|--bounces|3|--seed|7|--filter|box",
+    "x^2+y^2+z^2=1 { metal: gold }; render { mode: path, samples: 1, seed: 5000000000, filter: gaussian, bounces: 2 }",
 ];
 
 #[test]

@@ -6,7 +6,10 @@
 use implicit::diag::{Diagnostic, render};
 use implicit::expr::lower::limits;
 use implicit::session::Program;
-use implicit::syntax::{self, functions::FUNCTIONS};
+use implicit::syntax::{
+    self,
+    functions::{FUNCTIONS, OF_SURFACE, PAINTS},
+};
 
 fn page() -> String {
     std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/grammar.md")).expect("grammar.md stands at the root")
@@ -106,6 +109,20 @@ fn the_table_of_functions_is_that_of_the_code() {
 }
 
 #[test]
+fn the_functions_and_maps_of_colours_are_those_of_the_code() {
+    let page = page();
+    for function in PAINTS {
+        let row = format!("| `{}` | {} |", function.signature.replace(" or ", "` or `"), function.about);
+        assert!(page.contains(&row), "grammar.md lacks the row\n{row}");
+    }
+    let maps = format!("Maps: {}.", implicit::expr::lower::PALETTES.join(", "));
+    assert!(page.contains(&maps), "grammar.md lacks\n{maps}");
+    for word in OF_SURFACE {
+        assert!(page.contains(&format!("`{word}`")), "grammar.md lacks `{word}`");
+    }
+}
+
+#[test]
 fn the_limits_are_those_of_the_code() {
     let page = page();
     let limits = [
@@ -124,6 +141,7 @@ fn the_limits_are_those_of_the_code() {
         ("levels of `include`", implicit::session::include::MAX_LEVELS),
         ("files in one program", implicit::session::include::MAX_FILES),
         ("pixels of a picture", implicit::film::size::MAX_PIXELS as usize),
+        ("lights of a program", implicit::expr::lower::MAX_LIGHTS),
         ("threads", implicit::cli::values::MAX_THREADS),
         ("errors that are shown, and notes", syntax::MAX_REPORTED),
     ];

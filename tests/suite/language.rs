@@ -88,9 +88,9 @@ fn blocks_say_what_flags_say_and_a_flag_wins() {
 }
 
 #[test]
-fn a_mode_of_the_program_that_is_unknown_or_not_built_is_refused_in_its_place() {
+fn a_mode_of_the_program_that_is_unknown_is_refused_in_its_place() {
     let folder = Folder::new();
-    for (mode, words) in [("whitted", "is not built yet"), ("nonsense", "there is no mode")] {
+    for (mode, words) in [("nonsense", "there is no mode"), ("radiosity", "there is no mode 'radiosity'")] {
         let said = folder.run(&["-o", "p.webp", &format!("z = x*y; render {{ mode: {mode} }}")]);
         assert!(said.status == 1 && said.err.contains(words) && said.err.contains("<argument 1>:1:25"), "{said:?}");
     }

@@ -14,7 +14,7 @@ const ORDER: [&str; 12] =
 const STRANGERS: [(&str, &str); 1] = [("diag", "num")];
 
 /// Crates that only some modules may name; `main` is `main.rs`.
-const ROOMS: [(&str, &[&str]); 14] = [
+const ROOMS: [(&str, &[&str]); 15] = [
     ("nom", &["syntax"]),
     ("clap", &["cli", "main"]),
     ("clap_complete", &["cli"]),
@@ -23,6 +23,7 @@ const ROOMS: [(&str, &[&str]); 14] = [
     ("png", &["film"]),
     ("exr", &["film"]),
     ("annotate_snippets", &["diag"]),
+    ("colorous", &["scene"]),
     ("rayon", &["surface", "render"]),
     ("indicatif", &["cli"]),
     ("tempfile", &["cli"]),

@@ -7,7 +7,7 @@
 //! Only for equations. The boundary of a solid is where its function changes sign: nothing may be rewritten.
 //!
 //! - [`fraction`]: sums of quotients over one denominator. - [`removable`]: where numerator and denominator vanish
-//!   together. - [`centre`]: polynomials about the place where they lie. - [`exponentials`]: e^(2u) as (e^u)².
+//!   together. - [`mod@whole`]: the sheets as one function again. - [`centre`]: polynomials about the place where they lie. - [`exponentials`]: e^(2u) as (e^u)².
 
 mod centre;
 mod exponentials;
@@ -15,8 +15,10 @@ mod fraction;
 mod removable;
 #[cfg(test)]
 mod tests;
+mod whole;
 
 pub use removable::vanishes_with;
+pub use whole::whole;
 
 use super::graph::{Graph, NodeId};
 use super::op::Op;

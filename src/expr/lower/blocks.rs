@@ -4,9 +4,10 @@
 //! scene's business; here they are known by name, and their values are worked out.
 
 use super::clips::Clip;
+use super::paints::{Amount, Color};
 use super::{Lowerer, Reporting};
 use crate::diag::{Diagnostic, Span};
-use crate::syntax::ast::{Attribute, AttributeValue, BlockKind};
+use crate::syntax::ast::{Attribute, AttributeValue, BlockKind, Expr, ExprKind};
 
 /// `camera { … }`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,22 +28,41 @@ pub struct Render {
     /// Width and height in pixels, each > 0.
     pub size: Option<(u32, u32)>,
     /// The mode, not looked up yet.
-    pub mode: Option<Mode>,
+    pub mode: Option<Word>,
     /// Samples a pixel, > 0.
     pub samples: Option<u32>,
     /// Bounces.
     pub bounces: Option<u32>,
     /// The seed.
-    pub seed: Option<u32>,
+    pub seed: Option<u64>,
+    /// By how many stops light is made brighter.
+    pub exposure: Option<f64>,
+    /// The tone curve, not looked up yet.
+    pub tonemap: Option<Word>,
+    /// What is behind everything.
+    pub background: Option<Background>,
+    /// The filter, not looked up yet.
+    pub filter: Option<Word>,
     /// The clip region of everything.
     pub clip: Option<Clip>,
     /// The block.
     pub span: Span,
 }
 
-/// The name of a mode and its place.
+/// What is seen where no surface is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Background {
+    /// One colour.
+    Color(Color),
+    /// Nothing: the picture is clear there.
+    Transparent,
+    /// The program's sky.
+    Sky,
+}
+
+/// A name that is looked up later, and its place.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mode {
+pub struct Word {
     /// The name.
     pub name: String,
     /// Where.
@@ -50,7 +70,11 @@ pub struct Mode {
 }
 
 const OF_CAMERA: [&str; 3] = ["eye", "look_at", "fov"];
-const OF_RENDER: [&str; 6] = ["size", "mode", "samples", "bounces", "seed", "clip"];
+const OF_RENDER: [&str; 10] =
+    ["size", "mode", "samples", "bounces", "seed", "exposure", "tonemap", "background", "filter", "clip"];
+
+/// The most stops that light is made brighter or darker by: more leaves nothing or everything white.
+pub const MAX_EXPOSURE: f64 = 100.0;
 
 impl<'a> Lowerer<'a> {
     /// A statement that is a word and a block.
@@ -96,24 +120,51 @@ impl<'a> Lowerer<'a> {
             return;
         }
         self.check_keys(attributes, "a render block", &OF_RENDER);
-        let mut render = Render { size: None, mode: None, samples: None, bounces: None, seed: None, clip: None, span };
-        for attribute in attributes {
-            match attribute.key.text.as_str() {
-                "size" => render.size = self.size(attribute).ok(),
-                "mode" => render.mode = self.mode(attribute).ok(),
-                "samples" => render.samples = self.count(attribute, 1).ok(),
-                "bounces" => render.bounces = self.count(attribute, 0).ok(),
-                "seed" => render.seed = self.count(attribute, 0).ok(),
-                "clip" => render.clip = self.clip(attribute).ok(),
-                _ => {}
-            }
-        }
+        let entry = |key: &str| attributes.iter().find(|attribute| attribute.key.text == key);
+        let render = Render {
+            size: entry("size").and_then(|attribute| self.size(attribute).ok()),
+            mode: entry("mode").and_then(|attribute| self.later(attribute, "the name of a mode", "studio").ok()),
+            samples: entry("samples").and_then(|attribute| self.count(attribute, 1).ok()),
+            bounces: entry("bounces").and_then(|attribute| self.count(attribute, 0).ok()),
+            seed: entry("seed").and_then(|attribute| self.long_count(attribute).ok()),
+            exposure: entry("exposure").and_then(|attribute| self.exposure(attribute).ok()),
+            tonemap: entry("tonemap")
+                .and_then(|attribute| self.later(attribute, "the name of a tone curve", "neutral").ok()),
+            background: entry("background").and_then(|attribute| self.background(attribute).ok()),
+            filter: entry("filter")
+                .and_then(|attribute| self.later(attribute, "the name of a filter", "mitchell").ok()),
+            clip: entry("clip").and_then(|attribute| self.clip(attribute).ok()),
+            span,
+        };
         self.out.render = Some(render);
     }
 
-    fn mode(&mut self, attribute: &'a Attribute) -> Reporting<Mode> {
-        let (name, span) = self.word(attribute, "the name of a mode", "studio")?;
-        Ok(Mode { name: name.to_owned(), span })
+    /// A name that is looked up later.
+    fn later(&mut self, attribute: &'a Attribute, wanted: &str, example: &str) -> Reporting<Word> {
+        let (name, span) = self.word(attribute, wanted, example)?;
+        Ok(Word { name: name.to_owned(), span })
+    }
+
+    fn exposure(&mut self, attribute: &'a Attribute) -> Reporting<f64> {
+        let is_allowed = |stops: f64| stops.abs() <= MAX_EXPOSURE;
+        let wanted = format!("a number of stops from -{MAX_EXPOSURE} to {MAX_EXPOSURE}");
+        self.number_that(attribute, is_allowed, &wanted, "1")
+    }
+
+    fn background(&mut self, attribute: &'a Attribute) -> Reporting<Background> {
+        match &attribute.value {
+            AttributeValue::Expr(Expr { kind: ExprKind::Name(name), .. }) | AttributeValue::Text(name, _)
+                if name == "transparent" =>
+            {
+                Ok(Background::Transparent)
+            }
+            AttributeValue::Expr(Expr { kind: ExprKind::Name(name), .. }) | AttributeValue::Text(name, _)
+                if name == "sky" =>
+            {
+                Ok(Background::Sky)
+            }
+            _ => self.color(attribute, Amount::Share).map(Background::Color),
+        }
     }
 
     fn size(&mut self, attribute: &Attribute) -> Reporting<(u32, u32)> {

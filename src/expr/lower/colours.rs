@@ -159,6 +159,11 @@ pub(super) fn named(name: &str) -> Option<[u8; 3]> {
     NAMED.binary_search_by_key(&name, |(known, _)| known).ok().map(|at| NAMED[at].1)
 }
 
+/// The colour of a name or of hexadecimal digits.
+pub fn color_of_text(text: &str) -> Option<[u8; 3]> {
+    named(text).or_else(|| hexadecimal(text))
+}
+
 /// All names.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     NAMED.iter().map(|(name, _)| *name)
@@ -182,27 +187,32 @@ pub(super) fn hexadecimal(text: &str) -> Option<[u8; 3]> {
     Some(color)
 }
 
-/// The colour of a hue in degrees, a saturation and a value of 0..=1 (A. R. Smith, "Color gamut transform pairs",
+/// The parts of 0..=1, sRGB, as bytes.
+pub(super) fn bytes(parts: [f64; 3]) -> [u8; 3] {
+    parts.map(|part| (part * 255.0 + 0.5) as u8)
+}
+
+/// Red, green, blue of 0..=1, sRGB, of a hue in degrees, a saturation and a value of 0..=1 (A. R. Smith, "Color gamut transform pairs",
 /// SIGGRAPH 1978).
-pub(super) fn of_value(hue: f64, saturation: f64, value: f64) -> [u8; 3] {
+pub fn parts_of_value(hue: f64, saturation: f64, value: f64) -> [f64; 3] {
     mixed(hue, value * (1.0 - saturation), value)
 }
 
-/// The colour of a hue in degrees, a saturation and a lightness of 0..=1 (CSS Color Module Level 4, section 7).
-pub(super) fn of_lightness(hue: f64, saturation: f64, lightness: f64) -> [u8; 3] {
+/// Red, green, blue of 0..=1, sRGB, of a hue in degrees, a saturation and a lightness of 0..=1 (CSS Color Module Level 4, section 7).
+pub fn parts_of_lightness(hue: f64, saturation: f64, lightness: f64) -> [f64; 3] {
     let reach = saturation * lightness.min(1.0 - lightness);
     mixed(hue, lightness - reach, lightness + reach)
 }
 
 /// The pure colour of a hue, its parts moved from 0..=1 to low..=high.
-fn mixed(hue: f64, low: f64, high: f64) -> [u8; 3] {
+fn mixed(hue: f64, low: f64, high: f64) -> [f64; 3] {
     let sixths = hue / 60.0;
     // Red is full within 60 degrees of 0, green of 120, blue of 240, and each fades over the next 60.
     [0.0, 2.0, 4.0].map(|centre| {
         let turned = sixths - centre + 3.0;
         let away = (turned - (turned / 6.0).floor() * 6.0 - 3.0).abs();
         let part = (2.0 - away).clamp(0.0, 1.0);
-        ((low + (high - low) * part) * 255.0 + 0.5) as u8
+        low + (high - low) * part
     })
 }
 
@@ -221,11 +231,11 @@ mod tests {
         let rows =
             [(0.0, "red"), (120.0, "lime"), (240.0, "blue"), (60.0, "yellow"), (-60.0, "magenta"), (540.0, "cyan")];
         for (hue, name) in rows {
-            assert_eq!(Some(of_value(hue, 1.0, 1.0)), named(name), "{name}");
-            assert_eq!(Some(of_lightness(hue, 1.0, 0.5)), named(name), "{name}");
+            assert_eq!(Some(bytes(parts_of_value(hue, 1.0, 1.0))), named(name), "{name}");
+            assert_eq!(Some(bytes(parts_of_lightness(hue, 1.0, 0.5))), named(name), "{name}");
         }
-        assert_eq!(of_value(30.0, 0.5, 1.0), [255, 191, 128]);
-        assert_eq!(of_lightness(210.0, 0.5, 0.75), [159, 191, 223]);
+        assert_eq!(bytes(parts_of_value(30.0, 0.5, 1.0)), [255, 191, 128]);
+        assert_eq!(bytes(parts_of_lightness(210.0, 0.5, 0.75)), [159, 191, 223]);
         let rows =
             [("#4af", Some([0x44, 0xaa, 0xff])), ("#0a0B0c", Some([10, 11, 12])), ("#12345", None), ("#+12", None)];
         for (text, color) in rows {

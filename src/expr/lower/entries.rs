@@ -63,6 +63,19 @@ impl<'a> Lowerer<'a> {
         }
     }
 
+    /// A whole number of any length that the language can say.
+    pub(super) fn long_count(&mut self, attribute: &'a Attribute) -> Reporting<u64> {
+        let AttributeValue::Expr(expr) = &attribute.value else {
+            return self.wrong_value(attribute, "a whole number", "8");
+        };
+        let node = self.number(expr)?;
+        let value = self.whole(node, expr.span, &format!("`{}`", attribute.key.text))?;
+        match u64::try_from(value) {
+            Ok(value) => Ok(value),
+            Err(_) => self.wrong_value(attribute, "a whole number from 0", "8"),
+        }
+    }
+
     /// A number that is known before drawing, and for which `is_allowed` holds.
     pub(super) fn number_that(
         &mut self,
@@ -140,6 +153,7 @@ pub(super) fn place(value: &AttributeValue) -> Span {
         AttributeValue::Expr(expr) => expr.span,
         AttributeValue::Color(_, span)
         | AttributeValue::Text(_, span)
+        | AttributeValue::Call(_, _, span)
         | AttributeValue::Size(_, _, span)
         | AttributeValue::Box(_, span) => *span,
     }

@@ -4,6 +4,8 @@
 //! nobody said, and the values. What scatters how is the scene's business.
 
 use super::paints::{Amount, Color, Paint};
+use super::surfaces::Kind;
+use super::textures::{Field, Lines};
 use super::{Lowerer, Reporting, cut};
 use crate::diag::{Diagnostic, Span, nearest, one_of};
 use crate::syntax::ast::{Attribute, BlockKind, Program, StatementKind};
@@ -21,6 +23,10 @@ pub struct Matter {
     pub emission: Option<Paint>,
     /// The share of light that meets the surface.
     pub opacity: Option<Paint>,
+    /// Whether it is closed where a clip cuts it.
+    pub cap: bool,
+    /// Contour lines.
+    pub lines: Option<Lines>,
     /// The refractive index, > 0.
     pub ior: Option<f64>,
     /// What a way of length 1 inside takes, >= 0.
@@ -108,8 +114,8 @@ const METALS: [(&str, Metal); 6] = [
     ("iron", Metal::Iron),
 ];
 
-const OF_MATERIAL: [&str; 11] =
-    ["kind", "color", "roughness", "ior", "metal", "n", "k", "absorption", "emission", "opacity", "priority"];
+const OF_MATERIAL: [&str; 12] =
+    ["lines", "kind", "color", "roughness", "ior", "metal", "n", "k", "absorption", "emission", "opacity", "priority"];
 
 /// The entries that one kind or another does not use.
 const OF_KINDS: [&str; 9] = ["color", "roughness", "ior", "metal", "n", "k", "absorption", "priority", "inside"];
@@ -158,7 +164,11 @@ impl<'a> Lowerer<'a> {
     /// Reads a material for what is wrong with it; surfaces read it again.
     pub(super) fn check_material(&mut self, attributes: &'a [Attribute]) {
         self.check_keys(attributes, "a material", &OF_MATERIAL);
+        // Which surface does not matter for what can be wrong.
+        let f = self.coordinates(Span::default())[0];
+        self.field = Some(Field::new(f, Kind::Number));
         self.matter(&Entries(attributes.iter().collect()));
+        self.field = None;
     }
 
     /// What a surface is made of, by its own entries and those of the material it names.
@@ -194,16 +204,17 @@ impl<'a> Lowerer<'a> {
         let conductor = self.conductor(entries);
         let mut matter = Matter { kind: self.kind(entries), conductor, ..Matter::default() };
         let ok = |paint: Option<Reporting<Paint>>| paint.and_then(Result::ok);
-        matter.color = ok(entries.get("color").map(|entry| self.color(entry, Amount::Share).map(Paint::Plain)));
+        matter.color = ok(entries.get("color").map(|entry| self.paint(entry, Amount::Share)));
+        matter.lines = entries.get("lines").and_then(|entry| self.lines(entry).ok());
         matter.roughness = ok(entries.get("roughness").map(|entry| self.share(entry)));
         matter.opacity = ok(entries.get("opacity").map(|entry| self.share(entry)));
-        let emission = entries.get("emission").map(|entry| self.color_or_grey(entry, Amount::Light));
-        matter.emission = ok(emission.map(|color| color.map(Paint::Plain)));
+        matter.emission = ok(entries.get("emission").map(|entry| self.paint_or_grey(entry, Amount::Light)));
         let ior = entries.get("ior").map(|entry| self.number_that(entry, |n| n > 0.0, "a number more than 0", "1.5"));
         matter.ior = ior.and_then(Result::ok);
         let absorption = entries.get("absorption").map(|entry| self.color_or_grey(entry, Amount::Light));
         matter.absorption = absorption.and_then(Result::ok);
         matter.priority = entries.get("priority").and_then(|entry| self.count(entry, 0).ok());
+        matter.cap = entries.get("cap").is_some_and(|entry| self.truth(entry).unwrap_or(false));
         matter.inside = entries.get("inside").and_then(|entry| self.inside(entry).ok());
         self.note_unused(&matter, entries);
         matter
@@ -275,10 +286,12 @@ impl<'a> Lowerer<'a> {
         Err(self.report(Diagnostic::error(span, format!("the metal `{}` is not known", cut(name))).help(help)))
     }
 
-    /// A number of 0..=1.
-    fn share(&mut self, entry: &'a Attribute) -> Reporting<Paint> {
-        let value = self.number_that(entry, |value| (0.0..=1.0).contains(&value), "a number from 0 to 1", "0.3")?;
-        Ok(Paint::Plain(Color::Linear([value; 3])))
+    fn truth(&mut self, entry: &'a Attribute) -> Reporting<bool> {
+        match self.word(entry, "`true` or `false`", "true")?.0 {
+            "true" => Ok(true),
+            "false" => Ok(false),
+            _ => self.wrong_value(entry, "`true` or `false`", "true"),
+        }
     }
 
     fn inside(&mut self, entry: &'a Attribute) -> Reporting<Inside> {

@@ -50,6 +50,10 @@ impl Lowerer<'_> {
                 let sum = self.node(Op::Add, &[one, root], span);
                 Ok(Value::Number(self.node(Op::Div, &[sum, two], span)))
             }
+            _ if self.field.is_some() && functions::OF_SURFACE.contains(&name) => {
+                self.met_coordinate = true;
+                self.of_surface(name).map(Value::Number)
+            }
             _ if ready_meaning(name).is_some() => Ok(self.ready(name, span)),
             _ => Err(self.unknown_name(name, span)),
         }

@@ -9,7 +9,7 @@
 //! - [`meanings`]: what a name stands for.
 //! - [`expressions`], [`powers`], [`functions`], [`regions`], [`series`]: the expressions, by kind.
 //! - [`parameters`], [`surfaces`], [`blocks`], [`lights`], [`matter`]: the statements, by kind.
-//! - [`entries`], [`clips`], [`paints`], [`colours`]: the values in their blocks.
+//! - [`entries`], [`clips`], [`paints`], [`textures`], [`colours`]: the values in their blocks.
 //! - [`constants`]: the f64 of a node that hangs on no variable.
 //! - [`limits`]: what no text may exceed.
 
@@ -33,16 +33,19 @@ mod series;
 mod surfaces;
 #[cfg(test)]
 mod tests;
+mod textures;
 mod values;
 
-pub use blocks::{Camera, Mode, Render};
+pub use blocks::{Background, Camera, MAX_EXPOSURE, Render, Word};
 pub use clips::{Clip, ClipShape};
+pub use colours::{color_of_text, parts_of_lightness, parts_of_value};
 pub use lights::{Light, MAX_LIGHTS, Sky, SkyKind, TURBIDITIES};
 pub use matter::{Conductor, Inside, Matter, MatterKind, Metal};
 pub use paints::{Color, Paint};
 pub use parameters::{Parameter, Setting};
 pub use regions::{Edge, Region};
 pub use surfaces::{Kind, SurfaceFormula};
+pub use textures::{Lines, PALETTES};
 pub use values::Value;
 
 use super::graph::{Graph, NodeId};
@@ -165,6 +168,8 @@ struct Lowerer<'a> {
     met_coordinate: bool,
     /// The materials by name: the name's place and the entries.
     materials: BTreeMap<&'a str, (Span, &'a [Attribute])>,
+    /// The surface whose matter is being read.
+    field: Option<textures::Field>,
     /// Where the first sky stands.
     first_sky: Option<Span>,
     /// The node under the root of each vector's length.
@@ -192,6 +197,7 @@ impl<'a> Lowerer<'a> {
             calls: HashMap::new(),
             met_coordinate: false,
             materials: BTreeMap::new(),
+            field: None,
             first_sky: None,
             squares_of_lengths: HashMap::new(),
             depths: Vec::new(),

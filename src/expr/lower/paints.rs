@@ -5,8 +5,10 @@
 
 use super::{Lowerer, Reporting, colours, cut};
 use crate::diag::{Diagnostic, Span, nearest};
-use crate::syntax::CONSTANTS;
+use crate::expr::graph::NodeId;
 use crate::syntax::ast::{Attribute, AttributeValue, Expr, ExprKind};
+use crate::syntax::functions::OF_SURFACE;
+use crate::syntax::{CONSTANTS, READY};
 
 /// A colour as it was written.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +24,16 @@ pub enum Color {
 pub enum Paint {
     /// The same everywhere; a number stands in all three parts.
     Plain(Color),
+    /// Linear red, green, blue.
+    Rgb([NodeId; 3]),
+    /// Hue in degrees, saturation, lightness.
+    Hsl([NodeId; 3]),
+    /// Hue in degrees, saturation, value.
+    Hsv([NodeId; 3]),
+    /// The colour of a map of [`super::PALETTES`] at a place of 0..=1.
+    Palette(&'static str, NodeId),
+    /// The first where the number is <= 0, the second where it is >= 1, in between a mixture.
+    Mix(Box<Paint>, Box<Paint>, NodeId),
 }
 
 /// What the parts of a colour may be.
@@ -41,12 +53,15 @@ impl<'a> Lowerer<'a> {
             AttributeValue::Text(name, span) => self.named_color(name, *span),
             AttributeValue::Expr(expr) => match &expr.kind {
                 ExprKind::Name(name) => self.named_color(name, expr.span),
-                ExprKind::Call(name, args) if name.text == "rgb" => self.linear_color(args, amount, expr.span),
-                ExprKind::Call(name, args) if matches!(name.text.as_str(), "hsl" | "hsv") => {
-                    self.color_by_hue(&name.text, args, expr.span)
+                ExprKind::Call(name, args) if is_color(&name.text) => {
+                    match self.color_of_parts(&name.text, args, amount, expr.span)? {
+                        Paint::Plain(color) => Ok(color),
+                        _ => self.wrong_value(attribute, "a colour that is the same everywhere", "#4af"),
+                    }
                 }
                 _ => self.wrong_value(attribute, "a colour", "#4af"),
             },
+            AttributeValue::Call(..) => self.wrong_value(attribute, "a colour that is the same everywhere", "#4af"),
             _ => self.wrong_value(attribute, "a colour", "#4af"),
         }
     }
@@ -56,7 +71,7 @@ impl<'a> Lowerer<'a> {
         let AttributeValue::Expr(expr) = &attribute.value else { return self.color(attribute, amount) };
         let is_color = match &expr.kind {
             ExprKind::Name(name) => colours::named(name).is_some() || !self.is_value(name),
-            ExprKind::Call(name, _) => matches!(name.text.as_str(), "rgb" | "hsl" | "hsv"),
+            ExprKind::Call(name, _) => is_color(&name.text),
             _ => false,
         };
         if is_color {
@@ -78,12 +93,15 @@ impl<'a> Lowerer<'a> {
     }
 
     /// Whether a bare word is a value of the program or of the language, and not a colour.
-    fn is_value(&self, name: &str) -> bool {
-        self.names.find(name).is_some() || CONSTANTS.contains(&name)
+    pub(super) fn is_value(&self, name: &str) -> bool {
+        let is_coordinate = COORDINATES.contains(&name) || READY.contains(&name) && name != "p";
+        let is_of_surface = self.field.is_some() && OF_SURFACE.contains(&name);
+        self.names.find(name).is_some() || CONSTANTS.contains(&name) || is_coordinate || is_of_surface
     }
 
-    fn named_color(&mut self, name: &str, span: Span) -> Reporting<Color> {
-        if let Some(srgb) = colours::named(name).or_else(|| colours::hexadecimal(name)) {
+    /// The colour of a name.
+    pub(super) fn named_color(&mut self, name: &str, span: Span) -> Reporting<Color> {
+        if let Some(srgb) = colours::color_of_text(name) {
             return Ok(Color::Srgb(srgb));
         }
         let help = match nearest(name, colours::names()).first() {
@@ -93,24 +111,44 @@ impl<'a> Lowerer<'a> {
         Err(self.report(Diagnostic::error(span, format!("there is no colour `{}`", cut(name))).help(help)))
     }
 
-    fn linear_color(&mut self, args: &'a [Expr], amount: Amount, span: Span) -> Reporting<Color> {
-        let [r, g, b] = self.three_parts(args, "rgb(red, green, blue)", span)?;
-        let [r, g, b] = [r, g, b].map(|part| self.part_of_color(part, amount));
-        Ok(Color::Linear([r?, g?, b?]))
-    }
-
-    /// `hsl(hue, saturation, lightness)` or `hsv(hue, saturation, value)`, the hue in degrees.
-    fn color_by_hue(&mut self, model: &str, args: &'a [Expr], span: Span) -> Reporting<Color> {
-        let third = if model == "hsl" { "lightness" } else { "value" };
-        let [hue, saturation, last] = self.three_parts(args, &format!("{model}(hue, saturation, {third})"), span)?;
-        let hue = self.known_number(hue, "the hue of a colour");
-        let [saturation, last] = [saturation, last].map(|part| self.part_of_color(part, Amount::Share));
-        let (hue, saturation, last) = (hue?, saturation?, last?);
-        Ok(Color::Srgb(if model == "hsl" {
-            colours::of_lightness(hue, saturation, last)
-        } else {
-            colours::of_value(hue, saturation, last)
-        }))
+    /// `rgb(red, green, blue)`, linear; `hsl(hue, saturation, lightness)` or `hsv(hue, saturation, value)`, the hue in degrees. One
+    /// colour, if all parts are known.
+    pub(super) fn color_of_parts(
+        &mut self,
+        model: &str,
+        args: &'a [Expr],
+        amount: Amount,
+        span: Span,
+    ) -> Reporting<Paint> {
+        let signature = match model {
+            "rgb" => "rgb(red, green, blue)",
+            "hsl" => "hsl(hue, saturation, lightness)",
+            _ => "hsv(hue, saturation, value)",
+        };
+        let parts = self.three_parts(args, signature, span)?;
+        let nodes = parts.map(|part| self.number(part));
+        let nodes = [nodes[0]?, nodes[1]?, nodes[2]?];
+        let mut known = [None; 3];
+        for (k, part) in parts.into_iter().enumerate() {
+            let amount = match (model, k) {
+                ("rgb", _) => Some(amount),
+                (_, 0) => None,
+                _ => Some(Amount::Share),
+            };
+            known[k] = self.part_of_color(nodes[k], part.span, amount)?;
+        }
+        Ok(match (model, known) {
+            ("rgb", [Some(r), Some(g), Some(b)]) => Paint::Plain(Color::Linear([r, g, b])),
+            ("hsl", [Some(h), Some(s), Some(l)]) => {
+                Paint::Plain(Color::Srgb(colours::bytes(colours::parts_of_lightness(h, s, l))))
+            }
+            (_, [Some(h), Some(s), Some(v)]) => {
+                Paint::Plain(Color::Srgb(colours::bytes(colours::parts_of_value(h, s, v))))
+            }
+            ("rgb", _) => Paint::Rgb(nodes),
+            ("hsl", _) => Paint::Hsl(nodes),
+            _ => Paint::Hsv(nodes),
+        })
     }
 
     fn three_parts(&mut self, args: &'a [Expr], signature: &str, span: Span) -> Reporting<[&'a Expr; 3]> {
@@ -123,17 +161,29 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    fn part_of_color(&mut self, expr: &'a Expr, amount: Amount) -> Reporting<f64> {
-        let value = self.known_number(expr, "a part of a colour")?;
+    /// The value of a part, if it hangs on no coordinate; refused where it is too little or too much.
+    fn part_of_color(&mut self, node: NodeId, span: Span, amount: Option<Amount>) -> Reporting<Option<f64>> {
+        if self.constant_value(node).is_none() {
+            return Ok(None);
+        }
+        let value = self.known(node, span, "a part of a colour")?;
         match amount {
-            Amount::Share if !(0.0..=1.0).contains(&value) => {
-                let error = Diagnostic::error(expr.span, "a part of a surface's colour lies between 0 and 1");
+            Some(Amount::Share) if !(0.0..=1.0).contains(&value) => {
+                let error = Diagnostic::error(span, "a part of a surface's colour lies between 0 and 1");
                 Err(self.report(error.help("divide by 255, or write the colour as `#ff8000`")))
             }
-            Amount::Light if value < 0.0 => {
-                Err(self.report(Diagnostic::error(expr.span, "a part of a light's colour is not negative")))
+            Some(Amount::Light) if value < 0.0 => {
+                Err(self.report(Diagnostic::error(span, "a part of a light's colour is not negative")))
             }
-            Amount::Share | Amount::Light => Ok(value),
+            _ => Ok(Some(value)),
         }
     }
 }
+
+/// Whether it makes a colour of three numbers.
+pub(super) fn is_color(name: &str) -> bool {
+    matches!(name, "rgb" | "hsl" | "hsv")
+}
+
+/// The coordinates, which a bare word may be.
+const COORDINATES: [&str; 3] = ["x", "y", "z"];

@@ -5,6 +5,7 @@
 use super::clips::Clip;
 use super::matter::Matter;
 use super::names::DeclarationKind;
+use super::textures::Field;
 use super::values::{Placed, Side, Value};
 use super::{Lowerer, Reporting, cut};
 use crate::diag::{Diagnostic, Span};
@@ -41,7 +42,9 @@ pub enum Kind {
 }
 
 /// The entries behind a surface; those of a material are among them.
-const OF_SURFACE: [&str; 15] = [
+const OF_SURFACE: [&str; 17] = [
+    "cap",
+    "lines",
     "color",
     "material",
     "kind",
@@ -92,8 +95,14 @@ impl<'a> Lowerer<'a> {
             None => self.bare(left, span),
             Some(right) => self.equation(left, right),
         };
+        // Of a surface that failed the entries are read for their own errors.
+        let (f, kind) = formula.unwrap_or_else(|_| (self.coordinates(span)[0], Kind::Number));
+        self.field = Some(Field::new(f, kind));
         let attributes = self.surface_attributes(attributes);
-        let Ok((f, kind)) = formula else { return };
+        self.field = None;
+        if formula.is_err() {
+            return;
+        }
         self.draw(SurfaceFormula { f, kind, span, ..attributes });
     }
 

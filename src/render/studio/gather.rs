@@ -6,7 +6,7 @@
 use super::super::trace::Trace;
 use super::directions::{KEY_RAYS, SKY_RAYS, on_disc, on_sphere, pattern};
 use super::glimpse::Light;
-use crate::render::integrator::{facing_normal, side};
+use crate::render::integrator::{facing_normal, sides};
 use crate::scene::Scene;
 use crate::scene::studio::Studio;
 use crate::surface::{Hit, Ray};
@@ -56,7 +56,8 @@ pub fn gather<T: Trace>(
     }
     tracer.trace_from_surface(&scratch.rays, &mut scratch.hits);
     light.clear();
-    let mut traced = scratch.rays.iter().zip(&scratch.hits);
+    let colours = sides(scene, &scratch.rays, &scratch.hits);
+    let mut traced = scratch.rays.iter().zip(&scratch.hits).zip(&colours);
     let mut key_counts = scratch.key_counts.iter();
     for hit in seen.2 {
         light.push(match hit.is_drawn().then(|| key_counts.next()).flatten() {
@@ -73,14 +74,17 @@ fn facing_count(count: u8) -> f32 {
     f32::from(count.max(1)).min(KEY_RAYS as f32)
 }
 
-fn key_share<'a>(traced: impl Iterator<Item = (&'a Ray, &'a Hit)>, count: f32) -> f32 {
-    let hidden = traced.filter(|(_, hit)| hit.is_drawn()).count();
+/// A ray from the surface, what it hits, and the colour of that.
+type Traced<'a> = ((&'a Ray, &'a Hit), &'a DVec3);
+
+fn key_share<'a>(traced: impl Iterator<Item = Traced<'a>>, count: f32) -> f32 {
+    let hidden = traced.filter(|((_, hit), _)| hit.is_drawn()).count();
     1.0 - hidden as f32 / count
 }
 
-fn sky<'a>(scene: &Scene, lights: &Studio, traced: impl Iterator<Item = (&'a Ray, &'a Hit)>) -> Light {
+fn sky<'a>(scene: &Scene, lights: &Studio, traced: impl Iterator<Item = Traced<'a>>) -> Light {
     let (mut hidden, mut height, mut bounce) = (0.0, 0.0, DVec3::ZERO);
-    for (ray, hit) in traced.filter(|(_, hit)| hit.is_drawn()) {
+    for ((ray, hit), &colour) in traced.filter(|((_, hit), _)| hit.is_drawn()) {
         let far = hit.t / (REACH * scene.radius);
         let share = 1.0 / (1.0 + far * far);
         let n = facing_normal(ray, hit);
@@ -88,7 +92,7 @@ fn sky<'a>(scene: &Scene, lights: &Studio, traced: impl Iterator<Item = (&'a Ray
         height += share * lights.sky.top.dot(ray.direction);
         let arriving = lights.key.strength * (BOUNCE[0] * lights.key.share(n.dot(lights.key.direction)))
             + lights.sky.irradiance(n) * BOUNCE[1];
-        bounce += side(scene, hit) * arriving * share;
+        bounce += colour * arriving * share;
     }
     let count = SKY_RAYS as f64;
     Light {

@@ -2,7 +2,7 @@
 //!
 //! In: a hit and the light that was gathered there. Out: 32 bytes a pixel.
 
-use super::super::integrator::facing_normal;
+use super::super::integrator::{Place, facing_normal};
 use crate::surface::{Hit, Ray};
 use glam::{DVec3, Vec3};
 
@@ -28,6 +28,17 @@ impl Glimpse {
         }
         let normal = facing_normal(ray, hit).as_vec3();
         Glimpse { t: hit.t as f32, normal, side: hit.surface * 2 + u32::from(hit.flipped) }
+    }
+
+    /// Which surface it is.
+    pub fn surface(&self) -> usize {
+        (self.side / 2) as usize
+    }
+
+    /// Where it is on its ray, if there is a surface.
+    pub fn place(&self, ray: &Ray) -> Option<Place> {
+        let place = || Place { surface: self.surface(), point: point(ray, self), is_negative: self.side & 1 == 1 };
+        self.is_drawn().then(place)
     }
 
     /// Whether there is a surface.

@@ -24,15 +24,21 @@ use lacquer::Lacquer;
 /// How much of its colour a surface keeps where the clip cuts it off.
 const CUT_SHARE: f64 = 0.35;
 
-/// The colour of what a ray sees; a pixel is `footprint` wide there.
-pub fn colour(scene: &Scene, lights: &Studio, ray: &Ray, glimpse: &Glimpse, light: &Light, footprint: f64) -> DVec3 {
+/// What of a surface shines back.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// Its own colour.
+    pub colour: DVec3,
+    /// How wide a pixel is there.
+    pub footprint: f64,
+}
+
+/// The light of what a ray sees.
+pub fn colour(scene: &Scene, lights: &Studio, ray: &Ray, glimpse: &Glimpse, light: &Light, seen: Seen) -> DVec3 {
     let normal = glimpse.normal.as_dvec3();
-    let surface = (glimpse.side / 2) as usize;
-    let sides = &scene.sides[surface];
-    let colour = if glimpse.side & 1 == 1 { sides.back } else { sides.front };
     let at = glimpse::point(ray, glimpse);
-    let line = cut::line(&scene.clips[surface], at, normal, footprint);
-    let albedo = colour * (1.0 - line * (1.0 - CUT_SHARE));
+    let line = cut::line(&scene.clips[glimpse.surface()], at, normal, seen.footprint);
+    let albedo = seen.colour * (1.0 - line * (1.0 - CUT_SHARE));
     Lacquer { albedo, normal, view: -ray.direction }.lit(lights, light)
 }
 

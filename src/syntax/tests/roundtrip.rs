@@ -112,6 +112,8 @@ fn printed_statements_read_back() {
         "f(u, v) = u*v\nz = f(x, y)",
         "a = 0.5 in [0, 1] step 0.05\nx = a",
         "material gold { kind: metal, tint: rgb(1, 0.8, 0.3) }\nlight { at: (1, 2, 3) }\nsun {}\nsky { radiance: 1 }",
+        "z = x { color: checker(0.5, white, mix(#fff, rgb(nx, xy, 0), gauss/2)), lines: every(1, z, 0.1), cap: true }",
+        "material m { color: palette(\"viridis\", mean*x, -1, 1), roughness: xy }",
         "camera { eye: (4, -3, 2) }\nrender { size: 800x600 }\ninclude \"a.imp\"",
     ];
     for text in texts {
