@@ -8,7 +8,7 @@ use super::balance::Balance;
 use super::bsdf::Transport;
 use super::light::{LightVertex, Splat, light_paths, splats};
 use super::lights::{Emitter, Toward};
-use super::path::{DIMENSIONS, FIRST_DIMENSION, SHORT_OF_TARGET};
+use super::path::{DIMENSIONS, FIRST_DIMENSION, Goal, SHORT_OF_TARGET};
 use super::vertex::{Vertex, vertices};
 use super::world::{Flight, From, Met, Numbers, Passing, World};
 use crate::film::Size;
@@ -40,7 +40,8 @@ struct EyeVertex<'a> {
 struct Join {
     sample: usize,
     light: DVec3,
-    /// A surface that is sought: what is weighed when it is found.
+    goal: Goal,
+    /// Of a surface that is sought, what is weighed when it is found.
     surface: Option<Sought>,
 }
 
@@ -177,10 +178,10 @@ fn join<T: Trace>(
     world.fly(&mut rays, From::Elsewhere, &mut met);
     let (mut found, mut reached) = (Vec::new(), Vec::new());
     for (k, (join, met)) in joins.iter().zip(&met).enumerate() {
-        match (met, &join.surface) {
-            (Met::Nothing, None) => light[join.sample] += join.light * rays[k].left,
-            (Met::Surface(..), Some(_)) => reached.push(k),
-            _ => {}
+        match met {
+            _ if !join.goal.is_found(met) => {}
+            Met::Surface(..) => reached.push(k),
+            Met::Ball(..) | Met::Nothing => light[join.sample] += join.light * rays[k].left,
         }
     }
     vertices(world, &rays, &met, &mut found);
@@ -196,9 +197,6 @@ fn join<T: Trace>(
 
 /// What a ray that sought a surface found of it, weighed.
 fn found_glow<T: Trace>(world: &World<T>, sought: &Sought, vertex: &Vertex, ray: &Flight) -> DVec3 {
-    if world.lights.of_surface(vertex.hit.surface) != Some(sought.emitter) {
-        return DVec3::ZERO;
-    }
     let back = crate::surface::Ray::new(vertex.point, -sought.toward.direction);
     let length = world.lights.length_in_ball(sought.emitter, &back, ray.distance + vertex.hit.t);
     let cosine = vertex.cosine();
@@ -238,8 +236,9 @@ fn join_emitter<T: Trace>(
             (arriving * toward.radiance / (1.0 + ratio), None)
         }
     };
-    ray.passing = if surface.is_some() { Passing::ByChance } else { Passing::ByShare };
-    joins.push(Join { sample: path.sample, light, surface });
+    let goal = Goal::of(world.lights, toward.emitter);
+    ray.passing = goal.passing();
+    joins.push(Join { sample: path.sample, light, goal, surface });
     rays.push(ray);
 }
 
@@ -265,7 +264,7 @@ fn join_partner(end: &EyeVertex, partner: &LightVertex, joins: &mut Vec<Join>, r
     let between = goal - start;
     let distance = between.length();
     let ray = eye.leave(wi, between / distance, distance * SHORT_OF_TARGET, end.numbers);
-    joins.push(Join { sample: end.path.sample, light, surface: None });
+    joins.push(Join { sample: end.path.sample, light, goal: Goal::Free, surface: None });
     rays.push(Flight { passing: Passing::ByShare, ..ray });
 }
 

@@ -5,7 +5,7 @@
 //! find what it found (Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section 9.2, power heuristic).
 
 use super::bsdf::Transport;
-use super::lights::{Emitter, Toward};
+use super::lights::{Emitter, Lights};
 use super::vertex::{Vertex, vertices};
 use super::world::{Flight, From, Met, Numbers, Passing, World};
 use crate::render::trace::Trace;
@@ -44,8 +44,44 @@ struct Shadow {
     place: usize,
     /// What arrives if nothing is in the way; for surfaces, of a radiance of 1.
     light: DVec3,
-    /// The surface that is sought.
-    surface: Option<u32>,
+    goal: Goal,
+}
+
+/// What a ray towards an emitter has to find.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Goal {
+    /// Nothing in the way.
+    Free,
+    /// This ball.
+    Ball(usize),
+    /// This surface.
+    Surface(u32),
+}
+
+impl Goal {
+    /// What there is to find of an emitter.
+    pub(super) fn of(lights: &Lights, emitter: usize) -> Self {
+        match lights.list[emitter] {
+            Emitter::Glow { surface, .. } => Goal::Surface(surface),
+            Emitter::Ball { .. } => Goal::Ball(emitter),
+            Emitter::Point { .. } | Emitter::Parallel { .. } | Emitter::Disc { .. } | Emitter::Sky(_) => Goal::Free,
+        }
+    }
+
+    /// Whether a ray that met this found it.
+    pub(super) fn is_found(self, met: &Met) -> bool {
+        match (*met, self) {
+            (Met::Nothing, Goal::Free) => true,
+            (Met::Ball(ball, _), Goal::Ball(emitter)) => ball == emitter,
+            (Met::Surface(hit, _), Goal::Surface(surface)) => hit.surface == surface,
+            _ => false,
+        }
+    }
+
+    /// How such a ray passes what is partly there: a surface that is sought may itself be so, and is met by chance.
+    pub(super) fn passing(self) -> Passing {
+        if let Goal::Surface(_) = self { Passing::ByChance } else { Passing::ByShare }
+    }
 }
 
 /// The radiance that arrives along each flight, in `light`, which is replaced.
@@ -117,23 +153,15 @@ fn seek<T: Trace>(
             continue;
         }
         let other = if toward.is_delta { 0.0 } else { vertex.bsdf.pdf(vertex.wo, wi) };
-        let (radiance, surface) = sought_light(world, &toward);
+        let goal = Goal::of(world.lights, toward.emitter);
+        // What a surface emits is known when it is found.
+        let radiance = if let Goal::Surface(_) = goal { DVec3::ONE } else { toward.radiance };
         let weighed = path.throughput * value * radiance * (share(toward.pdf, other) / toward.pdf);
-        shadows.push(Shadow { place: path.place, light: weighed, surface });
-        // A surface that is sought may itself be only partly there: it is met by chance, anything else in between by share.
-        let passing = if surface.is_some() { Passing::ByChance } else { Passing::ByShare };
+        shadows.push(Shadow { place: path.place, light: weighed, goal });
         let ray = vertex.leave(wi, toward.direction, toward.distance * SHORT_OF_TARGET, numbers);
-        rays.push(Flight { passing, ..ray });
+        rays.push(Flight { passing: goal.passing(), ..ray });
     }
     arrive(world, &shadows, &mut rays, |place, arriving| light[place] += arriving);
-}
-
-/// The radiance of what is sought, or 1 and the surface.
-fn sought_light<T: Trace>(world: &World<T>, toward: &Toward) -> (DVec3, Option<u32>) {
-    match world.lights.list[toward.emitter] {
-        Emitter::Glow { surface, .. } => (DVec3::ONE, Some(surface)),
-        _ => (toward.radiance, None),
-    }
 }
 
 /// Traces rays towards emitters, and hands over what arrives.
@@ -142,10 +170,10 @@ fn arrive<T: Trace>(world: &mut World<T>, shadows: &[Shadow], rays: &mut [Flight
     world.fly(rays, From::Elsewhere, &mut met);
     let mut glowing = Vec::new();
     for (k, (shadow, met)) in shadows.iter().zip(&met).enumerate() {
-        match (*met, shadow.surface) {
-            (Met::Nothing, None) => take(shadow.place, shadow.light * rays[k].left),
-            (Met::Surface(hit, _), Some(surface)) if hit.surface == surface => glowing.push((k, hit)),
-            _ => {}
+        match *met {
+            _ if !shadow.goal.is_found(met) => {}
+            Met::Surface(hit, _) => glowing.push((k, hit)),
+            Met::Ball(..) | Met::Nothing => take(shadow.place, shadow.light * rays[k].left),
         }
     }
     let places: Vec<(u32, DVec3)> = glowing.iter().map(|&(k, hit)| (hit.surface, rays[k].ray.at(hit.t))).collect();

@@ -115,6 +115,7 @@ mod tests {
     fn pixels_seeds_and_dimensions_are_unrelated() {
         let count = 25_600u32;
         type Way = fn(u32) -> [f64; 2];
+        type Join = fn([f64; 2], [f64; 2]) -> [f64; 2];
         let ways: [(&str, Way); 5] = [
             ("pixels", |k| numbers(u64::from(k), 0, 0, 0)),
             ("seeds", |k| numbers(0, 0, 0, u64::from(k))),
@@ -123,9 +124,9 @@ mod tests {
             ("far pixels", |k| numbers(u64::from(k) << 32, 1, 0, 9)),
         ];
         for (name, way) in ways {
-            let pairs: [(&str, Way, fn([f64; 2], [f64; 2]) -> [f64; 2]); 3] =
-                [("u v", way, |a, _| a), ("u u'", way, |a, b| [a[0], b[0]]), ("v u'", way, |a, b| [a[1], b[0]])];
-            for (pair, way, join) in pairs {
+            let pairs: [(&str, Join); 3] =
+                [("u v", |a, _| a), ("u u'", |a, b| [a[0], b[0]]), ("v u'", |a, b| [a[1], b[0]])];
+            for (pair, join) in pairs {
                 let chi = chi_square((0..count).map(|k| join(way(k), way(k + 1))));
                 assert!((255.0 - chi).abs() < 5.0 * 22.6, "{name} {pair}: {chi}");
             }

@@ -6,10 +6,13 @@
 //!
 //! - [`direction`]: reflected, refracted, spread directions.
 //! - [`fresnel`]: how much a smooth interface reflects.
+//! - [`ggx`]: the slopes of rough surfaces; [`energy`]: what they lose.
 //! - [`metal`], [`plastic`], [`glass`]: the kinds that are more than a line.
 
 pub mod direction;
+pub mod energy;
 pub mod fresnel;
+pub mod ggx;
 pub mod glass;
 pub mod metal;
 pub mod plastic;
@@ -117,7 +120,7 @@ impl Bsdf {
     /// The density with which wo would be sampled by a path that arrives along wi.
     pub fn reverse_pdf(&self, wo: DVec3, wi: DVec3) -> f64 {
         match self {
-            Bsdf::Glass(glass) if wi.z < 0.0 => glass.swapped().pdf(turned(wi), turned(wo)),
+            Bsdf::Glass(glass) if wi.z < 0.0 => glass.pdf_from_beyond(wo, wi),
             _ => self.pdf(wi, wo),
         }
     }
