@@ -11,6 +11,7 @@
 //! - `outlook`: where the eye goes when nobody said.
 //! - [`program`]: texts to formulas.
 //! - [`plan`]: formulas to surfaces, a camera and settings.
+//! - `settings`: how well it is drawn.
 //! - [`mod@recipe`]: the program that draws a picture again.
 
 mod cap;
@@ -22,6 +23,7 @@ mod paint;
 pub mod plan;
 pub mod program;
 pub mod recipe;
+mod settings;
 
 pub use include::{Loaded, Loader, NoFiles};
 pub use plan::{Method, Plan, Refusal, Wishes};

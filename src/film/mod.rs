@@ -6,7 +6,7 @@
 //! - [`size`]: how many pixels there are, and the limit.
 //! - [`layer`]: one value a pixel.
 //! - [`srgb`]: linear light to the eight bits a screen shows.
-//! - [`tone`]: how light or data is shown; [`print`]: a picture with all that is said of how it is shown.
+//! - [`tone`]: how light or data is shown; [`mod@print`]: a picture with all that is said of how it is shown.
 //! - [`mod@format`]: which file it becomes; [`png`], [`jpeg`], [`webp`], [`tiff`], [`exr`]: the files.
 //! - [`blocks`]: the picture in characters of a terminal.
 

@@ -3,6 +3,7 @@
 //! In: a formula and its clip. Out: the formula of the solid that is in both, which the clip cuts no more. So the cut is a surface
 //! like any other, as exact and as proven.
 
+use crate::expr::curvature::slope_along;
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::lower::{Inside, Kind, SurfaceFormula};
 use crate::expr::op::{Op, Variable};
@@ -28,6 +29,9 @@ pub(super) fn close(graph: &mut Graph, formula: &mut SurfaceFormula, clip: &mut 
     (formula.f, formula.kind) = (f, Kind::Solid);
     if is_positive {
         formula.matter.inside = Some(Inside::Negative);
+    }
+    if let Some(lines) = &mut formula.matter.lines {
+        lines.slope = slope_along(graph, lines.value, f);
     }
     clip.fields.clear();
     clip.shapes.iter_mut().for_each(|shape| *shape = enlarged(shape));

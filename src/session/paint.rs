@@ -98,6 +98,8 @@ fn number(node: NodeId, nodes: &mut Vec<NodeId>) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::film::Size;
+    use crate::render::{Drawing, Mode, Silent};
     use crate::scene::colour::from_bytes;
     use crate::session::{Plan, Program, Wishes};
 
@@ -169,6 +171,70 @@ mod tests {
         let found = [&material.roughness, &material.opacity, &material.emission].map(|t| values(t, &point)[0].x);
         assert_eq!(found, [0.5, 1.0, 10.0]);
         assert!(material.is_glowing());
+    }
+
+    fn drawn(text: &str, mode: Mode, samples: u32) -> (Plan, Drawing) {
+        let mut program = Program::from_text(text);
+        let size = Size::new(25, 19).ok();
+        let wishes = Wishes { size, mode: Some(mode), samples: Some(samples), keep_depth: true, ..Wishes::default() };
+        let plan = Plan::new(&mut program, &wishes).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+        let drawing = plan.draw(&Silent).unwrap();
+        (plan, drawing)
+    }
+
+    #[test]
+    fn pictures_show_the_colours_of_formulas() {
+        // A formula that is red everywhere and cannot be known to be.
+        let red = "rgb(min(1, 2 + x^2), max(0, -1 - y^2), 0)";
+        for surface in ["x^2+y^2+z^2 = 1", "1 = x^2+y^2+z^2", "z = x*y { clip: ball(0, 0, 0, 2) }", "|p| <= 1; z = -1"]
+        {
+            for mode in [Mode::Studio, Mode::Cosine, Mode::Mirror] {
+                let with = |color: &str| match surface.split_once(" {") {
+                    Some((surface, rest)) => format!("{surface} {{ color: {color}, {rest}"),
+                    None => {
+                        surface.replace(';', &format!(" {{ color: {color} }};")) + &format!(" {{ color: {color} }}")
+                    }
+                };
+                let (plain, painted) = (drawn(&with("red"), mode, 4).1, drawn(&with(red), mode, 4).1);
+                assert!(plain.picture == painted.picture, "{surface} {mode:?}");
+            }
+        }
+        let (plan, drawing) = drawn("x^2+y^2+z^2 = 1 { color: rgb(x^2, y^2, z^2) }", Mode::Cosine, 1);
+        let camera = &plan.scene.camera;
+        let t = f64::from(drawing.depth.as_ref().unwrap().at(12, 9));
+        let point = camera.ray(25, 19, 12.5, 9.5).at(t);
+        let cosine = point.dot(crate::scene::studio::shoulder(camera));
+        let found = DVec3::from(drawing.picture.at(12, 9).map(f64::from));
+        assert!((found - point * point * cosine).abs().max_element() < 1e-5, "{found} {point}");
+    }
+
+    #[test]
+    fn curvature_is_shown_as_white_red_and_blue() {
+        let rows = [
+            ("x^2+y^2+z^2 = 1", [true, false]),
+            ("z = x*y { clip: ball(0,0,0,1) }", [false, true]),
+            ("z = 0", [false; 2]),
+        ];
+        for (text, expected) in rows {
+            let [r, _, b] = drawn(text, Mode::Curvature, 1).1.picture.at(12, 9);
+            assert_eq!([r > 1.2 * b, b > 1.2 * r], expected, "{text}: {r} {b}");
+        }
+    }
+
+    #[test]
+    fn clear_backgrounds_say_what_is_covered() {
+        let mut program =
+            Program::from_text("x^2+y^2+z^2 = 1; render { background: transparent, size: 25x19, samples: 16 }");
+        let plan = Plan::new(&mut program, &Wishes::default()).unwrap();
+        let alpha = plan.draw(&Silent).unwrap().alpha.unwrap();
+        assert_eq!((alpha.at(0, 0), alpha.at(12, 9)), (0.0, 1.0));
+        // The disc's share of the picture, by its angle: sin of half of it is radius over distance.
+        let camera = &plan.scene.camera;
+        let sine = 1.0 / camera.eye.length();
+        let half_heights = sine / (1.0 - sine * sine).sqrt() / crate::scene::angle::tangent(20.0);
+        let covered: f64 = alpha.values.iter().map(|&alpha| f64::from(alpha)).sum();
+        let expected = std::f64::consts::PI * (half_heights * 9.5) * (half_heights * 9.5);
+        assert!((covered / expected - 1.0).abs() < 0.02, "{covered} {expected}");
     }
 
     #[test]
