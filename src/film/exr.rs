@@ -80,6 +80,21 @@ mod tests {
     }
 
     #[test]
+    fn clear_pixels_have_a_channel_of_their_own() {
+        Print::half_clear(|print| {
+            let file = std::env::temp_dir().join(format!("implicit-alpha-{}.exr", std::process::id()));
+            std::fs::write(&file, encode_colour(print).unwrap()).unwrap();
+            let image = read_first_flat_layer_from_file(&file).unwrap();
+            std::fs::remove_file(&file).unwrap();
+            let channels = &image.layer_data.channel_data.list;
+            let names: Vec<String> = channels.iter().map(|channel| channel.name.to_string()).collect();
+            assert_eq!(names, ["A", "B", "G", "R"]);
+            let first = |k: usize| channels[k].sample_data.values_as_f32().next();
+            assert_eq!((first(0), first(3)), (Some(0.5), Some(0.25)));
+        });
+    }
+
+    #[test]
     fn the_same_layer_gives_the_same_bytes() {
         let picture = Layer::filled(Size::new(33, 40).unwrap(), [0.25, 0.5, f32::NAN]);
         let print = Print::new(&picture, crate::film::Tone::Linear);

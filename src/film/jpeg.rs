@@ -47,6 +47,11 @@ mod tests {
     }
 
     #[test]
+    fn clear_pixels_are_refused() {
+        Print::half_clear(|print| assert!(encode(print).is_err()));
+    }
+
+    #[test]
     fn sides_that_do_not_fit_are_refused() {
         let picture = Layer::filled(Size::new(65_536, 1).unwrap(), [0.0; 3]);
         assert!(encode(&Print::new(&picture, Tone::Linear)).is_err());

@@ -125,6 +125,16 @@ mod tests {
     }
 
     #[test]
+    fn clear_pixels_stay_clear() {
+        Print::half_clear(|print| {
+            let mut reader = Decoder::new(Cursor::new(encode(print).unwrap())).read_info().unwrap();
+            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+            assert_eq!(reader.next_frame(&mut pixels).unwrap().color_type, ColorType::Rgba);
+            assert_eq!(pixels[..print.bytes().len()], print.bytes());
+        });
+    }
+
+    #[test]
     fn notes_read_back_from_whole_files_only() {
         let picture = Layer::sample(Size::new(9, 5).unwrap());
         let said = "x² + y² = 1 // ∛\n".to_owned();

@@ -77,6 +77,18 @@ pub fn gain(stops: f64) -> f32 {
 }
 
 #[cfg(test)]
+impl Print<'_> {
+    /// Gives tests of files a picture that is clear in parts: half covered on the left, whole on the right.
+    pub(crate) fn half_clear(draw: impl FnOnce(&Print<'_>)) {
+        let Ok(size) = super::Size::new(6, 4) else { return };
+        let mut alpha = Layer::filled(size, 1.0);
+        (0..4).for_each(|j| alpha.set(0, j, 0.5));
+        let picture = Layer::filled(size, [0.25, 0.125, 0.0]);
+        draw(&Print { alpha: Some(&alpha), ..Print::new(&picture, Tone::Linear) });
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::film::Size;

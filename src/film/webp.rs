@@ -39,6 +39,14 @@ mod tests {
     }
 
     #[test]
+    fn clear_pixels_stay_clear() {
+        Print::half_clear(|print| {
+            let read = ::image::load_from_memory(&encode(print).unwrap()).unwrap().into_rgba8();
+            assert_eq!(read.into_raw(), print.bytes());
+        });
+    }
+
+    #[test]
     fn sides_that_do_not_fit_are_refused() {
         let picture = Layer::filled(Size::new(u64::from(MAX_SIDE) + 1, 1).unwrap(), [0.0; 3]);
         assert!(encode(&Print::new(&picture, Tone::Linear)).is_err());

@@ -97,3 +97,21 @@ fn many_wrong_statements_do_not_take_long() {
         assert!(start.elapsed().as_secs() < 10, "{} took {:?}", &text[..20], start.elapsed());
     }
 }
+
+#[test]
+fn lights_have_a_limit_of_their_own() {
+    // Short enough for a text each, and together one too many.
+    let quarter = "light{at:(1,2,3),power:1}\n".repeat(crate::expr::lower::MAX_LIGHTS / 4);
+    let texts = [&quarter, &quarter, &quarter, &quarter].map(String::as_str);
+    let last = "x = 1; light { at: (1, 2, 3), power: 1 }";
+    let sources: Vec<(crate::diag::SourceId, &str)> =
+        texts.into_iter().chain([last]).enumerate().map(|(k, text)| (crate::diag::SourceId(k as u32), text)).collect();
+    for (sources, is_too_much) in [(&sources[1..], false), (&sources[..], true)] {
+        let parsed = crate::syntax::parse(sources);
+        assert!(!parsed.has_errors(), "{:?}", parsed.diagnostics.first());
+        let lowered = super::lower(&parsed.program, &super::Settings::default());
+        let said: Vec<&str> = super::errors(&lowered).iter().map(|error| error.message.as_str()).collect();
+        assert_eq!(said.contains(&"a program has at most 100000 lights"), is_too_much, "{said:?}");
+        assert_eq!(said.len(), usize::from(is_too_much));
+    }
+}
