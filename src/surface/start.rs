@@ -17,9 +17,9 @@ pub enum Side {
     Far,
 }
 
-/// After so many doublings a point is a billionth of the scale away, as far as a root may be from where it is said to be: where g cannot
-/// be told from zero even there, it is a root without change of sign, and the point is taken as it is.
-const MOST_DOUBLINGS: i32 = 22;
+/// After so many doublings a point is a millionth of a millionth of the scale away: where g cannot be told from zero even there,
+/// it is a root without change of sign, and the point is taken as it is.
+const MOST_DOUBLINGS: i32 = 12;
 
 /// A place to start from, on its way.
 struct Try {
@@ -30,8 +30,7 @@ struct Try {
     is_positive: bool,
 }
 
-/// Replaces the points of these departures from one sheet. Where the normal is unknown, so is the sign, and what is known of the root's
-/// place decides.
+/// Replaces the points of these departures from one sheet. Where the normal is unknown, so is the sign, and the first point is taken.
 pub(super) fn starts(
     sheet: &Sheet,
     cells: &mut [Cells],
@@ -43,13 +42,10 @@ pub(super) fn starts(
     for (number, ray, hit, side) in departures {
         let scale = ray.at(hit.t).abs().max_element().max(hit.t);
         let ulp = scale * f64::EPSILON;
-        let is_near = side == Side::Near;
+        let (t, away) = if side == Side::Near { (hit.near, -ulp) } else { (hit.far, ulp) };
+        points[number] = ray.at(t);
         if hit.normal.is_finite() {
-            points[number] = ray.at(hit.t);
-            let away = if is_near { -ulp } else { ulp };
-            open.push((Try { number, t: hit.t, away, is_positive: hit.flipped != is_near }, ray));
-        } else {
-            points[number] = ray.at(if is_near { hit.near } else { hit.far });
+            open.push((Try { number, t, away, is_positive: hit.flipped != (side == Side::Near) }, ray));
         }
     }
     let mut doublings = 0;
