@@ -39,7 +39,13 @@ pub(super) fn is_negative(
         return is_negative == (sign_of_f(&sheets, &far) == Far::Positive);
     }
     match far.first() {
-        Some(Some(sign)) => *sign == Far::Positive,
+        Some(Some(sign)) => {
+            if far.contains(&Some(sign.other())) {
+                let note = Diagnostic::note(surface.span, "the factors of this product have opposite signs far away");
+                notes.push(note.help("write each factor as a glass of its own; the inside is that of the first here"));
+            }
+            *sign == Far::Positive
+        }
         _ => {
             if surface.kind == Kind::Equation {
                 let message =
@@ -57,6 +63,15 @@ pub(super) fn is_negative(
 enum Far {
     Positive,
     Negative,
+}
+
+impl Far {
+    fn other(self) -> Far {
+        match self {
+            Far::Positive => Far::Negative,
+            Far::Negative => Far::Positive,
+        }
+    }
 }
 
 /// The sign of f where the first sheet's function is positive: f is the product of the factors, up to a positive one, and the

@@ -246,6 +246,7 @@ mod tests {
             ("x^2 + y^2 + z^2 <= 1 { kind: glass }", (true, 0)),
             ("x^2 + y^2 + z^2 >= 1 { kind: glass }", (true, 0)),
             ("(x^2 + y^2 + z^2 - 1)*((x-3)^2 + y^2 + z^2 - 1) = 0 { kind: glass }", (true, 0)),
+            ("(x^2 + y^2 + z^2 - 1)*(1 - (x-3)^2 - y^2 - z^2) = 0 { kind: glass }", (true, 1)),
             ("z = 0 { kind: glass }", (true, 1)),
             ("-z = 0 { kind: glass }", (false, 1)),
             ("z <= 0 { kind: glass }", (true, 0)),

@@ -226,7 +226,7 @@ impl<'a> Lowerer<'a> {
         let Some(entry) = entries.get("kind") else {
             return match () {
                 () if has(&["metal", "n", "k"]) => MatterKind::Metal,
-                () if has(&["ior", "absorption", "inside", "priority"]) => MatterKind::Glass,
+                () if has(&["ior", "absorption", "priority"]) => MatterKind::Glass,
                 () => MatterKind::Matte,
             };
         };
@@ -307,7 +307,9 @@ impl<'a> Lowerer<'a> {
         let kind = KINDS.iter().find(|(_, kind)| *kind == matter.kind).map_or("", |(name, _)| name);
         let used = uses(matter.kind);
         for key in OF_KINDS {
-            let Some(span) = entries.place(key).filter(|_| !used.contains(&key)) else { continue };
+            // A cap takes its solid from the side that is the inside.
+            let is_used = used.contains(&key) || key == "inside" && matter.cap;
+            let Some(span) = entries.place(key).filter(|_| !is_used) else { continue };
             if matches!(key, "metal" | "n" | "k") {
                 let error = Diagnostic::error(span, format!("`{key}` belongs to metals, and this is {kind}"));
                 let error = entries.place("kind").into_iter().fold(error, |error, place| error.also(place, "the kind"));
