@@ -14,6 +14,7 @@ mod framing;
 mod grammar;
 mod hostile;
 mod language;
+mod light;
 mod long_texts;
 mod mistakes;
 mod npy;

@@ -98,7 +98,8 @@ mod tests {
             let n = 300;
             let (mut light, mut all) = (DVec3::ZERO, 0.0);
             for k in 0..n * n {
-                let u = [((k / n) as f64 + 0.5) / n as f64, ((k % n) as f64 + 0.5) / n as f64];
+                // Both numbers even, the first in steps finer than the cells.
+                let u = [(k as f64 + 0.5) / (n * n) as f64, k as f64 * 0.618_033_988_749_895 % 1.0];
                 let d = table.sample(u);
                 light += table.radiance(d) / table.pdf(d);
                 all += 1.0 / table.pdf(d);

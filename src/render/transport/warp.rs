@@ -96,7 +96,7 @@ mod tests {
 
     /// The means of a warp over a fine grid of numbers.
     fn mean(warp: impl Fn([f64; 2]) -> f64) -> f64 {
-        let n = 200;
+        let n = 600;
         let number = |k: usize| (k as f64 + 0.5) / n as f64;
         (0..n * n).map(|k| warp([number(k / n), number(k % n)])).sum::<f64>() / (n * n) as f64
     }
