@@ -4,6 +4,7 @@
 //! A batch runs through the whole list before the next: registers stay in the first cache, and the call of a
 //! closure is paid once for 64 points.
 
+use super::shorten::Shortener;
 use super::tape::{Action, Register, Step, Tape};
 use crate::expr::op::Op;
 use crate::num::level::{Simd, for_each_level};
@@ -14,7 +15,9 @@ type Closure<T> = Box<dyn Fn(&mut [T]) + Send + Sync>;
 
 /// Formulas over one number type: from the registers of the variables to those of the roots.
 pub struct Kernel<T> {
+    /// The steps, and behind them the copies that some of them come down to: see [`super::shorten`].
     closures: Vec<Closure<T>>,
+    steps: usize,
     blank: Vec<T>,
     outputs: Vec<Register>,
 }
@@ -28,7 +31,25 @@ impl<T: Number> Kernel<T> {
         for &(register, value) in &tape.constants {
             blank[register as usize] = T::constant(value);
         }
-        Kernel { closures: closures(simd, &tape.steps), blank, outputs: tape.outputs.clone() }
+        let steps = tape.steps.len();
+        Kernel { closures: closures(simd, &tape.steps), steps, blank, outputs: tape.outputs.clone() }
+    }
+
+    /// The same, ready to be run in part as `shortener` says.
+    pub fn with_copies(tape: &Tape, shortener: &Shortener, simd: Simd) -> Self {
+        let mut kernel = Self::new(tape, simd);
+        kernel.closures.extend(shortener.copies().map(|(from, to)| copy(from as usize, to as usize)));
+        kernel
+    }
+
+    /// All of it as an excerpt.
+    pub fn whole(&self) -> Excerpt<'_, T> {
+        Excerpt { kernel: self, steps: None }
+    }
+
+    /// Some of its steps, in an order and with copies that a [`Shortener`] gave for this kernel's tape.
+    pub fn excerpt<'a>(&'a self, steps: &'a [u32]) -> Excerpt<'a, T> {
+        Excerpt { kernel: self, steps: Some(steps) }
     }
 
     /// A register file to run on: variables first, then constants, then whatever the steps need.
@@ -40,7 +61,7 @@ impl<T: Number> Kernel<T> {
     /// [`crate::expr::op::Variable::ALL`].
     #[inline]
     pub fn run(&self, registers: &mut [T]) {
-        for closure in &self.closures {
+        for closure in &self.closures[..self.steps] {
             closure(registers);
         }
     }
@@ -60,13 +81,65 @@ impl<T: Number> Kernel<T> {
 
     /// How many steps there are.
     pub fn len(&self) -> usize {
-        self.closures.len()
+        self.steps
     }
 
     /// Whether every root is a variable or a constant.
     pub fn is_empty(&self) -> bool {
-        self.closures.is_empty()
+        self.steps == 0
     }
+}
+
+/// A kernel, or so much of it as is needed in some part of space.
+#[derive(Clone, Copy)]
+pub struct Excerpt<'a, T> {
+    kernel: &'a Kernel<T>,
+    /// Which closures, if not all steps.
+    steps: Option<&'a [u32]>,
+}
+
+impl<T: Number> Excerpt<'_, T> {
+    /// Runs its steps: see [`Kernel::run`].
+    #[inline]
+    pub fn run(&self, registers: &mut [T]) {
+        match self.steps {
+            None => self.kernel.run(registers),
+            Some(steps) => {
+                for &step in steps {
+                    self.kernel.closures[step as usize](registers);
+                }
+            }
+        }
+    }
+
+    /// Registers for all of the kernel.
+    pub fn registers(&self) -> Vec<T> {
+        self.kernel.registers()
+    }
+
+    /// The k-th root after a run.
+    #[inline]
+    pub fn output<'r>(&self, registers: &'r [T], k: usize) -> &'r T {
+        self.kernel.output(registers, k)
+    }
+
+    /// How many steps there are.
+    pub fn len(&self) -> usize {
+        self.steps.map_or(self.kernel.len(), <[u32]>::len)
+    }
+
+    /// Whether every root is a variable or a constant.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// A step that takes over what another has computed.
+fn copy<T: Number>(from: usize, to: usize) -> Closure<T> {
+    Box::new(move |registers: &mut [T]| {
+        let (others, out) = apart(registers, to);
+        out.clone_from(others.at(from));
+    })
 }
 
 /// Why a step's registers can be borrowed together.

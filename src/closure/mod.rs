@@ -9,6 +9,7 @@
 //! - [`constant`]: subexpressions without variables, computed once.
 //! - [`tree`]: the formula as a tree of closures of one point, as a first course writes it: the reference.
 //! - [`pieces`]: one enclosure at a time, with jumps and poles taken apart.
+//! - [`shorten`]: so much of a list of steps as some part of space needs.
 //! - [`specialise`]: which arguments of minima and maxima matter in a part of space.
 //! - [`formula`]: one formula with its value, gradient and enclosure, for whoever wants a single number.
 
@@ -17,10 +18,11 @@ pub mod formula;
 mod fuse;
 pub mod kernel;
 pub mod pieces;
+pub mod shorten;
 pub mod specialise;
 pub mod tape;
 pub mod tree;
 
 pub use formula::Formula;
-pub use kernel::Kernel;
+pub use kernel::{Excerpt, Kernel};
 pub use tape::Tape;

@@ -1,14 +1,17 @@
-//! Which arguments of minima and maxima matter in a part of space, and the formula without the others.
+//! Which arguments of minima and maxima matter in a part of space.
 //!
-//! In: a formula, and affine forms of its arguments over slabs that together cover the part. Out: the arguments that can
-//! be the smallest (or largest) somewhere in it, and a formula of those alone, which has the same values there.
-//! Separate from the operations, which decide between two arguments in one cell; here many are struck out for many cells.
+//! In: a formula. Out: the same with its long minima and maxima in balanced order, whose arguments are numbered; and, from
+//! affine forms of the arguments over slabs, which of them can be the smallest (or largest) in each. Separate from the operations,
+//! which decide between two arguments in one cell; here many are struck out for many cells. [`super::shorten`] leaves
+//! the others out.
 
-use super::{Kernel, Tape};
+use super::Excerpt;
+use super::shorten::{Fork, users};
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::op::Op;
 use crate::num::affine_lanes::{AffineLanes, SYMBOLS};
-use crate::num::level::Simd;
+use crate::num::level::{Simd, for_each_level};
+use std::ops::Range;
 
 /// The slabs that are looked at together.
 pub const SLABS: usize = 16;
@@ -22,123 +25,70 @@ const FEWEST: usize = 3;
 /// How many of the best arguments each is compared with: the nearest object and its neighbours.
 const RIVALS: usize = 6;
 
-/// Which arguments are left, a bit each, group by group.
-pub type Key = Vec<u64>;
-
-/// A formula with minima and maxima of several arguments.
+/// The minima and maxima of several arguments in a formula.
+#[derive(Clone, Debug)]
 pub struct Choices {
-    graph: Graph,
-    root: NodeId,
     groups: Vec<Group>,
-    leaves: Kernel<Slabs>,
+    /// The arguments, group by group.
+    pub leaves: Vec<NodeId>,
+    /// The nodes that choose between two of them, or between two such nodes.
+    pub forks: Vec<Fork>,
 }
 
 /// A minimum or maximum of many.
+#[derive(Clone, Debug)]
 struct Group {
-    node: NodeId,
     op: Op,
-    leaves: Vec<NodeId>,
+    /// Numbers of its arguments.
+    leaves: Range<usize>,
+    /// Whether it is the whole formula, of which only the zeros and signs matter.
+    is_root: bool,
 }
 
+/// A group as it is found.
+type Extreme = (NodeId, Op, Vec<NodeId>);
+
 impl Choices {
-    /// The choices of a formula; `None` if it has none that are worth it.
-    pub fn new(graph: &Graph, root: NodeId, simd: Simd) -> Option<Choices> {
-        let groups = groups(graph, root);
-        if groups.is_empty() {
-            return None;
+    /// The choices of a formula, and the formula in which they are balanced; `None` if it has none that are worth it.
+    pub fn new(graph: &mut Graph, root: NodeId) -> Option<(NodeId, Choices)> {
+        let mut found = extremes(graph, root);
+        loop {
+            if found.is_empty() {
+                return None;
+            }
+            let (new_root, choices) = balance(graph, root, &found);
+            // A part of a group that is also read elsewhere must have its true value there.
+            let users = users(graph, &[new_root]);
+            let is_shared = |fork: &&Fork| !fork.is_top && users[fork.node.0 as usize] != 1;
+            let Some(shared) = choices.forks.iter().find(is_shared) else { return Some((new_root, choices)) };
+            let argument = shared.sides[0].0 as usize;
+            let group = choices.groups.iter().position(|group| group.leaves.contains(&argument));
+            found.remove(group.unwrap_or(0));
         }
-        let mut own = Graph::new();
-        let mut copy = vec![NodeId(0); graph.len()];
-        for id in graph.reachable(&[root]) {
-            copy[id.0 as usize] = copied(graph, id, &copy, &mut own);
-        }
-        let of = |id: NodeId| copy[id.0 as usize];
-        let groups: Vec<Group> = groups
-            .into_iter()
-            .map(|g| Group { node: of(g.node), op: g.op, leaves: g.leaves.into_iter().map(of).collect() })
-            .collect();
-        let all: Vec<NodeId> = groups.iter().flat_map(|group| &group.leaves).copied().collect();
-        let leaves = Kernel::new(&Tape::new(&own, &all), simd);
-        Some(Choices { root: of(root), graph: own, groups, leaves })
     }
 
     /// How many arguments there are in all.
     pub fn arguments(&self) -> usize {
-        self.groups.iter().map(|group| group.leaves.len()).sum()
+        self.leaves.len()
     }
 
-    /// Registers for the forms of all arguments.
-    pub fn registers(&self) -> Vec<Slabs> {
-        self.leaves.registers()
-    }
-
-    /// The arguments that matter in the first `count` slabs, whose coordinates are in the registers; `None` if all do.
-    pub fn live(&self, registers: &mut [Slabs], count: usize) -> Option<Key> {
-        self.leaves.run(registers);
-        let total = self.arguments();
-        let mut key = vec![0u64; total.div_ceil(64)];
-        let (mut first, mut kept) = (0, 0);
+    /// For each of these arguments (in rising order), a bit for every slab in which it matters, provided that no other
+    /// argument does; `leaves` was run on the registers.
+    pub fn live(&self, simd: Simd, leaves: &Excerpt<Slabs>, registers: &[Slabs], of: &[u32], bits: &mut Vec<u16>) {
+        bits.clear();
+        let mut bounds = Bounds::default();
         for group in &self.groups {
+            let start = bits.len();
+            let count = of[start..].partition_point(|&k| (k as usize) < group.leaves.end);
             let forms: Vec<&Slabs> =
-                (first..first + group.leaves.len()).map(|k| self.leaves.output(registers, k)).collect();
-            for (k, is_live) in live_in_group(&forms, count, group.op == Op::Max).into_iter().enumerate() {
-                if is_live {
-                    key[(first + k) / 64] |= 1 << ((first + k) % 64);
-                    kept += 1;
-                }
-            }
-            first += group.leaves.len();
+                of[start..start + count].iter().map(|&k| leaves.output(registers, k as usize)).collect();
+            live_in_group(simd, &forms, group, &mut bounds, bits);
         }
-        (kept < total).then_some(key)
-    }
-
-    /// The formula of the arguments in the key alone.
-    pub fn pruned(&self, key: &Key) -> (Graph, NodeId) {
-        let mut first = 0;
-        let mut live: Vec<Vec<NodeId>> = Vec::with_capacity(self.groups.len());
-        for group in &self.groups {
-            let is_live = |k: usize| key[(first + k) / 64] >> ((first + k) % 64) & 1 == 1;
-            live.push((0..group.leaves.len()).filter(|&k| is_live(k)).map(|k| group.leaves[k]).collect());
-            first += group.leaves.len();
-        }
-        let mut out = Graph::new();
-        let mut copy = vec![None; self.graph.len()];
-        let root = self.copy_live(self.root, &live, &mut copy, &mut out);
-        (out, root)
-    }
-
-    /// Copies a node with what it still needs; iteratively, for formulas can be deep.
-    fn copy_live(&self, root: NodeId, live: &[Vec<NodeId>], copy: &mut [Option<NodeId>], out: &mut Graph) -> NodeId {
-        let mut stack = vec![root];
-        while let Some(&id) = stack.last() {
-            if copy[id.0 as usize].is_some() {
-                stack.pop();
-                continue;
-            }
-            let group = self.groups.iter().position(|group| group.node == id);
-            let needed: &[NodeId] = group.map_or(self.graph.args(id), |k| &live[k]);
-            let missing = stack.len();
-            stack.extend(needed.iter().filter(|a| copy[a.0 as usize].is_none()));
-            if stack.len() > missing {
-                continue;
-            }
-            let args: Vec<NodeId> = needed.iter().filter_map(|a| copy[a.0 as usize]).collect();
-            let new = match group {
-                Some(k) => {
-                    let op = self.groups[k].op;
-                    args.into_iter().reduce(|a, b| out.apply(op, &[a, b])).unwrap_or(NodeId(0))
-                }
-                None => rebuilt(&self.graph, id, &args, out),
-            };
-            copy[id.0 as usize] = Some(new);
-            stack.pop();
-        }
-        copy[root.0 as usize].unwrap_or(NodeId(0))
     }
 }
 
 /// The minima and maxima of several arguments, each as large as it can be.
-fn groups(graph: &Graph, root: NodeId) -> Vec<Group> {
+fn extremes(graph: &Graph, root: NodeId) -> Vec<Extreme> {
     let order = graph.reachable(&[root]);
     let is_choice = |id: NodeId| matches!(graph.op(id), Op::Min | Op::Max);
     let mut inside = vec![false; graph.len()];
@@ -148,8 +98,7 @@ fn groups(graph: &Graph, root: NodeId) -> Vec<Group> {
         }
     }
     let tops = order.iter().copied().filter(|&id| is_choice(id) && (!inside[id.0 as usize] || id == root));
-    let groups = tops.map(|node| Group { node, op: graph.op(node), leaves: leaves(graph, node) });
-    groups.filter(|group| group.leaves.len() >= FEWEST).collect()
+    tops.map(|node| (node, graph.op(node), leaves(graph, node))).filter(|group| group.2.len() >= FEWEST).collect()
 }
 
 fn leaves(graph: &Graph, node: NodeId) -> Vec<NodeId> {
@@ -167,41 +116,108 @@ fn leaves(graph: &Graph, node: NodeId) -> Vec<NodeId> {
     found
 }
 
-fn copied(graph: &Graph, id: NodeId, copy: &[NodeId], out: &mut Graph) -> NodeId {
-    let args: Vec<NodeId> = graph.args(id).iter().map(|a| copy[a.0 as usize]).collect();
-    rebuilt(graph, id, &args, out)
-}
-
-fn rebuilt(graph: &Graph, id: NodeId, args: &[NodeId], out: &mut Graph) -> NodeId {
-    match graph.constant(id) {
-        Some(value) => out.number(value.clone()),
-        None => out.intern(graph.op(id), args),
+/// The formula with each group as a tree of as few stages as can be: what is left of it in a part of space then is few copies deep.
+fn balance(graph: &mut Graph, root: NodeId, found: &[Extreme]) -> (NodeId, Choices) {
+    let mut choices = Choices { groups: Vec::new(), leaves: Vec::new(), forks: Vec::new() };
+    let order = graph.reachable(&[root]);
+    let mut copy: Vec<NodeId> = (0..graph.len() as u32).map(NodeId).collect();
+    for id in order {
+        let of = |id: &NodeId| copy[id.0 as usize];
+        let node = match found.iter().find(|group| group.0 == id) {
+            Some((_, op, leaves)) => {
+                let leaves: Vec<NodeId> = leaves.iter().map(of).collect();
+                let first = choices.leaves.len();
+                let node = tree(graph, *op, &leaves, first as u32, true, &mut choices.forks);
+                choices.leaves.extend(leaves);
+                let leaves = first..choices.leaves.len();
+                choices.groups.push(Group { op: *op, leaves, is_root: id == root });
+                node
+            }
+            None => {
+                let args: Vec<NodeId> = graph.args(id).iter().map(of).collect();
+                if args == graph.args(id) { id } else { graph.intern(graph.op(id), &args) }
+            }
+        };
+        copy[id.0 as usize] = node;
     }
+    (copy[root.0 as usize], choices)
 }
 
-/// For each argument, whether it can be the smallest (largest, if `max`) in some slab.
-fn live_in_group(forms: &[&Slabs], count: usize, max: bool) -> Vec<bool> {
-    let sign = if max { -1.0 } else { 1.0 };
-    let mut live = vec![false; forms.len()];
-    // What may have no value takes the value of the whole with it.
-    let may_fail: Vec<bool> = forms.iter().map(|form| form.flags[..count].iter().any(|&f| f != 0)).collect();
-    let mut rivals: Vec<usize> = Vec::with_capacity(forms.len());
-    for lane in 0..count {
-        let upper = |k: usize| sign * forms[k].center[lane] + forms[k].radius(lane);
-        let lower = |k: usize| sign * forms[k].center[lane] - forms[k].radius(lane);
+fn tree(graph: &mut Graph, op: Op, leaves: &[NodeId], first: u32, is_top: bool, forks: &mut Vec<Fork>) -> NodeId {
+    if let &[leaf] = leaves {
+        return leaf;
+    }
+    let half = leaves.len() / 2;
+    let (middle, end) = (first + half as u32, first + leaves.len() as u32);
+    let left = tree(graph, op, &leaves[..half], first, false, forks);
+    let right = tree(graph, op, &leaves[half..], middle, false, forks);
+    let node = graph.intern(op, &[left, right]);
+    forks.push(Fork { node, sides: [(first, middle), (middle, end)], is_top });
+    node
+}
+
+/// What each argument of a group reaches, turned so that the smallest matters.
+#[derive(Default)]
+struct Bounds {
+    low: Vec<[f64; SLABS]>,
+    high: Vec<[f64; SLABS]>,
+}
+
+/// Adds for each argument of a group in which slabs it matters.
+fn live_in_group(simd: Simd, forms: &[&Slabs], group: &Group, bounds: &mut Bounds, bits: &mut Vec<u16>) {
+    let sign = if group.op == Op::Max { -1.0 } else { 1.0 };
+    let least = bound(simd, forms, sign, group.is_root, bounds);
+    let first = bits.len();
+    for (k, form) in forms.iter().enumerate() {
+        let mut mask = 0;
+        for lane in 0..SLABS {
+            // Written so that NaN is live. What may have no value takes the value of the whole with it.
+            let is_live = !(bounds.low[k][lane] > least[lane]) | (form.flags[lane] != 0);
+            mask |= u16::from(is_live) << lane;
+        }
+        bits.push(mask);
+    }
+    let bits = &mut bits[first..];
+    let mut rivals: Vec<usize> = Vec::new();
+    for lane in 0..SLABS {
+        let high = |k: usize| bounds.high[k][lane];
         rivals.clear();
-        rivals.extend((0..forms.len()).filter(|&k| upper(k) < f64::INFINITY));
+        rivals.extend((0..forms.len()).filter(|&k| bits[k] >> lane & 1 == 1));
+        let rest: Vec<usize> = rivals.iter().copied().filter(|&k| forms[k].flags[lane] == 0).collect();
+        rivals.retain(|&k| high(k) < f64::INFINITY);
         if rivals.len() > RIVALS {
-            rivals.select_nth_unstable_by(RIVALS - 1, |&a, &b| upper(a).total_cmp(&upper(b)));
+            rivals.select_nth_unstable_by(RIVALS - 1, |&a, &b| high(a).total_cmp(&high(b)));
             rivals.truncate(RIVALS);
         }
-        let least = rivals.iter().map(|&k| upper(k)).fold(f64::INFINITY, f64::min);
-        for k in 0..forms.len() {
-            live[k] |= may_fail[k]
-                || (!(lower(k) > least) && !rivals.iter().any(|&r| r != k && beats(forms[r], forms[k], lane, sign)));
+        for k in rest {
+            if rivals.iter().any(|&r| r != k && beats(forms[r], forms[k], lane, sign)) {
+                bits[k] &= !(1 << lane);
+            }
         }
     }
-    live
+}
+
+for_each_level! {
+    /// The bounds of all forms; in each slab the least upper one, or 0 where only zeros matter and that is less: what is
+    /// above it everywhere does not matter.
+    fn bound[L](forms: &[&Slabs], sign: f64, is_root: bool, bounds: &mut Bounds) -> [f64; SLABS] {
+        bounds.low.clear();
+        bounds.high.clear();
+        let mut least = [if is_root { 0.0 } else { f64::INFINITY }; SLABS];
+        for form in forms {
+            let (mut low, mut high) = ([0.0; SLABS], [0.0; SLABS]);
+            for i in 0..SLABS {
+                let radius = form.radius(i) + 4.0 * f64::EPSILON * form.center[i].abs();
+                let center = sign * form.center[i];
+                low[i] = center - radius;
+                high[i] = center + radius;
+                least[i] = if high[i] < least[i] { high[i] } else { least[i] };
+            }
+            bounds.low.push(low);
+            bounds.high.push(high);
+        }
+        least
+    }
 }
 
 /// Whether a is proven to be smaller than b (larger, for sign −1) in a slab.

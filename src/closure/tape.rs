@@ -47,6 +47,8 @@ pub enum Action {
 pub struct Tape {
     /// The steps, in order.
     pub steps: Vec<Step>,
+    /// The node that each step computes.
+    pub nodes: Vec<NodeId>,
     /// Registers that hold constants and are never written.
     pub constants: Vec<(Register, Constant)>,
     /// How many registers there are; the first six are the variables, in the order of [`Variable::ALL`].
@@ -87,7 +89,13 @@ impl Tape {
             build.emit(position, id);
         }
         let outputs = roots.iter().map(|&r| build.register[r.0 as usize]).collect();
-        Tape { steps: build.steps, constants: build.constants, registers: build.count as usize, outputs }
+        Tape {
+            steps: build.steps,
+            nodes: build.nodes,
+            constants: build.constants,
+            registers: build.count as usize,
+            outputs,
+        }
     }
 }
 
@@ -113,6 +121,7 @@ struct Build<'a> {
     graph: &'a Graph,
     fusion: Fusion,
     steps: Vec<Step>,
+    nodes: Vec<NodeId>,
     constants: Vec<(Register, Constant)>,
     /// Of each node that has been emitted.
     register: Vec<Register>,
@@ -155,6 +164,7 @@ impl<'a> Build<'a> {
             graph,
             fusion,
             steps: Vec::with_capacity(order.len()),
+            nodes: Vec::with_capacity(order.len()),
             constants: Vec::new(),
             register: vec![0; graph.len()],
             last_use,
@@ -197,6 +207,7 @@ impl<'a> Build<'a> {
         for (slot, a) in args.iter_mut().zip(arguments) {
             *slot = self.register[a.0 as usize];
         }
+        self.nodes.push(id);
         let out = self.take();
         self.register[id.0 as usize] = out;
         let action = match self.partner[id.0 as usize] {

@@ -16,10 +16,10 @@ const MOST_TERMS: usize = 400;
 /// Powers from here on are worth it.
 const LEAST_DEGREE: i64 = 3;
 
-/// The node with its sums of powers nested.
-pub fn nested(graph: &mut Graph, root: NodeId) -> NodeId {
+/// The nodes with their sums of powers nested.
+pub fn nested(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     let mut new: BTreeMap<NodeId, NodeId> = BTreeMap::new();
-    for id in graph.reachable(&[root]) {
+    for id in graph.reachable(roots) {
         let args: Vec<NodeId> = graph.args(id).iter().map(|a| new.get(a).copied().unwrap_or(*a)).collect();
         let op = graph.op(id);
         let sum = matches!(op, Op::Add | Op::Sub).then(|| by_horner(graph, id)).flatten();
@@ -30,7 +30,7 @@ pub fn nested(graph: &mut Graph, root: NodeId) -> NodeId {
         };
         new.insert(id, node);
     }
-    new.get(&root).copied().unwrap_or(root)
+    roots.iter().map(|root| new.get(root).copied().unwrap_or(*root)).collect()
 }
 
 /// A coefficient, and a node with its exponent.
@@ -148,7 +148,7 @@ mod tests {
         for (from, to) in rows {
             let mut graph = Graph::new();
             let (f, expected) = (formula(&mut graph, from), formula(&mut graph, to));
-            let nested = super::nested(&mut graph, f);
+            let nested = super::nested(&mut graph, &[f])[0];
             assert_eq!(text(&graph, nested, 2000), text(&graph, expected, 2000), "{from}");
         }
     }

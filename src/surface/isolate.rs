@@ -15,7 +15,8 @@
 //! by itself.
 
 use super::hit::Ray;
-use super::sheet::{CELLS, Cells, Kernels};
+use super::kernels::Formula;
+use super::sheet::{CELLS, Cells};
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::{Level, Simd, for_each_level};
 
@@ -149,31 +150,31 @@ impl Pool {
     /// Walks all open rays until each is settled, bracketed or found hard.
     pub(crate) fn run(
         &mut self,
-        kernels: &Kernels,
+        formula: Formula,
         files: &mut CellFiles,
         rays: &Rays,
         open: &mut Vec<Open>,
         found: &mut Found,
     ) {
         let CellFiles { value, slope } = files;
-        let narrow = rays.size * narrow(kernels);
+        let narrow = rays.size * narrow(formula);
         while !open.is_empty() {
             if narrow < f64::INFINITY {
                 self.pass(rays, open, found, |pool| {
                     place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, value);
-                    kernels.value.run(value);
-                    decide_by_value(rays.simd, pool, narrow, kernels.value.output(value, 0));
+                    formula.value().run(value);
+                    decide_by_value(rays.simd, pool, narrow, formula.value().output(value, 0));
                     1
                 });
                 std::mem::swap(open, &mut found.other);
             }
             self.pass(rays, open, found, |pool| {
                 place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.a, value);
-                kernels.value.run(value);
+                formula.value().run(value);
                 place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, slope);
-                kernels.slope.run(slope);
-                let (g, of_slope) = (kernels.slope.output(slope, 0), kernels.slope.output(slope, 1));
-                decide_by_slope(rays.simd, pool, 2.0 * narrow, kernels.value.output(value, 0), g, of_slope);
+                formula.slope().run(slope);
+                let (g, of_slope) = (formula.slope().output(slope, 0), formula.slope().output(slope, 1));
+                decide_by_slope(rays.simd, pool, 2.0 * narrow, formula.value().output(value, 0), g, of_slope);
                 2
             });
             std::mem::swap(open, &mut found.other);
@@ -239,8 +240,8 @@ impl Pool {
 }
 
 /// The length of slab, as a part of the scale, below which the slope is enclosed too.
-fn narrow(kernels: &Kernels) -> f64 {
-    let (value, slope) = (kernels.value.len() as f64, kernels.slope.len() as f64);
+fn narrow(formula: Formula) -> f64 {
+    let (value, slope) = (formula.value().len() as f64, formula.slope().len() as f64);
     if value >= LONG || slope >= COSTLY * value { NARROW } else { f64::INFINITY }
 }
 
@@ -259,7 +260,8 @@ for_each_level! {
             let (o, d) = (&origin[axis], &direction[axis]);
             let cell = &mut cells[axis];
             for i in 0..CELLS {
-                let error = L::fma(b[i], PER_DISTANCE, o[i].abs() * PER_ORIGIN);
+                // The origin itself is exact.
+                let error = if b[i] > 0.0 { L::fma(b[i], PER_DISTANCE, o[i].abs() * PER_ORIGIN) } else { 0.0 };
                 let (p, q) = (L::fma(a[i], d[i], o[i]), L::fma(b[i], d[i], o[i]));
                 cell.lo[i] = p.min(q) - error;
                 cell.hi[i] = p.max(q) + error;

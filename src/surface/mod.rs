@@ -6,6 +6,8 @@
 //!
 //! - [`tracer`]: the one door: rays in, hits out, by either method.
 //! - [`memory`]: what a tracer keeps for one sheet between batches.
+//! - [`kernels`]: the function of a sheet, and so much of it as some part of space needs.
+//! - [`index`]: which part of it matters where.
 //! - [`sheet`]: a formula made ready: the sheets of its zero set and their kernels.
 //! - [`hit`]: what is known about a ray.
 //! - [`region`]: the clip, and the part of a ray inside it.
@@ -22,7 +24,9 @@
 mod bundle;
 mod careful;
 pub mod hit;
+mod index;
 mod isolate;
+mod kernels;
 mod march;
 mod memory;
 mod refine;

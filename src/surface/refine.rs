@@ -9,7 +9,8 @@
 
 use super::hit::Ray;
 use super::isolate::{Bracket, Rays, place};
-use super::sheet::{CELLS, Cells, Kernels, POINTS, Points};
+use super::kernels::Formula;
+use super::sheet::{CELLS, Cells, POINTS, Points};
 use crate::num::level::{Level, Simd, for_each_level};
 use glam::DVec3;
 
@@ -99,7 +100,7 @@ impl Batch {
     /// Refines at most [`POINTS`] brackets.
     pub(crate) fn run(
         &mut self,
-        kernels: &Kernels,
+        formula: Formula,
         files: &mut Files,
         rays: &Rays,
         brackets: &[Bracket],
@@ -108,12 +109,12 @@ impl Batch {
         let n = brackets.len().min(POINTS);
         let mut work = Work::default();
         self.load(&brackets[..n], rays.list);
-        self.ends(rays.simd, kernels, files);
+        self.ends(rays.simd, formula, files);
         work.points += 2 * n as u64;
-        work.gradients += self.newton(kernels, files, rays, &brackets[..n]);
+        work.gradients += self.newton(formula, files, rays, &brackets[..n]);
         for first in (0..n).step_by(CELLS) {
             let last = (first + CELLS).min(n);
-            self.certify(kernels, files, rays, first, &brackets[first..last], out);
+            self.certify(formula, files, rays, first, &brackets[first..last], out);
             work.cells += 2 * (last - first) as u64;
         }
         work
@@ -132,13 +133,13 @@ impl Batch {
     }
 
     /// g at both ends, and where the chord between them crosses zero.
-    fn ends(&mut self, simd: Simd, kernels: &Kernels, files: &mut Files) {
+    fn ends(&mut self, simd: Simd, formula: Formula, files: &mut Files) {
         points_at(simd, &self.origin, &self.direction, &self.a, files.point);
-        kernels.point.run(files.point);
-        self.front = kernels.point.output(files.point, 0).0;
+        formula.point().run(files.point);
+        self.front = formula.point().output(files.point, 0).0;
         points_at(simd, &self.origin, &self.direction, &self.b, files.point);
-        kernels.point.run(files.point);
-        self.behind = kernels.point.output(files.point, 0).0;
+        formula.point().run(files.point);
+        self.behind = formula.point().output(files.point, 0).0;
         for i in 0..POINTS {
             let (a, b, f, g) = (self.a[i], self.b[i], self.front[i], self.behind[i]);
             let t = a - f * (b - a) / (g - f);
@@ -152,7 +153,7 @@ impl Batch {
     }
 
     /// Newton's method for all brackets with a root, each kept inside its bracket; how many evaluations it took.
-    fn newton(&mut self, kernels: &Kernels, files: &mut Files, rays: &Rays, brackets: &[Bracket]) -> u64 {
+    fn newton(&mut self, formula: Formula, files: &mut Files, rays: &Rays, brackets: &[Bracket]) -> u64 {
         self.moved = std::array::from_fn(|i| if i < brackets.len() && self.crosses(i) { f64::INFINITY } else { 0.0 });
         self.tolerance = std::array::from_fn(|i| CONVERGED * rays.size.max(self.a[i]));
         let mut evaluations = 0;
@@ -162,9 +163,9 @@ impl Batch {
                 break;
             }
             points_at(rays.simd, &self.origin, &self.direction, &self.t, files.gradient);
-            kernels.gradient.run(files.gradient);
+            formula.gradient().run(files.gradient);
             evaluations += live as u64;
-            let [g, x, y, z] = [0, 1, 2, 3].map(|k| &kernels.gradient.output(files.gradient, k).0);
+            let [g, x, y, z] = [0, 1, 2, 3].map(|k| &formula.gradient().output(files.gradient, k).0);
             step(rays.simd, self, g, [x, y, z]);
         }
         evaluations
@@ -173,7 +174,7 @@ impl Batch {
     /// Proves what Newton found, for at most [`CELLS`] brackets.
     fn certify(
         &self,
-        kernels: &Kernels,
+        formula: Formula,
         files: &mut Files,
         rays: &Rays,
         first: usize,
@@ -197,8 +198,8 @@ impl Batch {
                 (bracket.open.a, bracket.b)
             };
         }
-        let in_front = signs_at(simd, kernels, files.cells, &origin, &direction, &front);
-        let after = signs_at(simd, kernels, files.cells, &origin, &direction, &behind);
+        let in_front = signs_at(simd, formula, files.cells, &origin, &direction, &front);
+        let after = signs_at(simd, formula, files.cells, &origin, &direction, &behind);
         for (k, &bracket) in brackets.iter().enumerate() {
             let (i, product) = (first + k, in_front[k] * after[k]);
             out.push(match (self.crosses(i), product) {
@@ -218,15 +219,15 @@ impl Batch {
 /// The proven sign of g at one distance on each ray: −1, 1, or 0 when it is not proven.
 fn signs_at(
     simd: Simd,
-    kernels: &Kernels,
+    formula: Formula,
     cells: &mut [Cells],
     origin: &[[f64; CELLS]; 3],
     direction: &[[f64; CELLS]; 3],
     t: &[f64; CELLS],
 ) -> [i8; CELLS] {
     place(simd, origin, direction, t, t, cells);
-    kernels.value.run(cells);
-    let g = kernels.value.output(cells, 0);
+    formula.value().run(cells);
+    let g = formula.value().output(cells, 0);
     std::array::from_fn(|i| i8::from(g.lo[i] > 0.0) - i8::from(g.hi[i] < 0.0))
 }
 

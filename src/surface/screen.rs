@@ -111,25 +111,20 @@ impl Screen {
     }
 }
 
-/// Puts the points of a rectangle, between two depths in as many slabs as there are, into the registers.
-pub(crate) fn place_slabs(
-    simd: Simd,
-    screen: &Screen,
-    rectangle: Rectangle,
-    (a, end): (f64, f64),
-    forms: &mut [Forms],
-) {
-    let [middle, half] = screen.square(rectangle);
-    let step = (end - a) / FORMS as f64;
+/// Puts the points of rectangles, each between two depths, into the registers: at most as many as there are lanes, which are at least
+/// one; lanes that are left repeat the first.
+pub(crate) fn place_cells(simd: Simd, screen: &Screen, cells: &[(Rectangle, (f64, f64))], forms: &mut [Forms]) {
     let mut places = Places::default();
     for i in 0..FORMS {
+        let (rectangle, (a, end)) = cells[if i < cells.len() { i } else { 0 }];
+        let [middle, half] = screen.square(rectangle);
         for axis in 0..2 {
             places.middle[axis][i] = middle[axis];
             places.half[axis][i] = half[axis];
         }
-        places.middle[2][i] = a + (i as f64 + 0.5) * step;
-        // The ends of slabs overlap by more than they are rounded.
-        places.half[2][i] = 0.5 * step + ROUNDED * end;
+        places.middle[2][i] = 0.5 * (a + end);
+        // The ends of cells overlap by more than they are rounded.
+        places.half[2][i] = 0.5 * (end - a) + ROUNDED * end;
     }
     place_forms(simd, screen, &places, forms);
 }

@@ -4,15 +4,14 @@
 //! kernels that the tracers run. Separate because it is built once and then shared by all threads.
 
 use super::hit::Ray;
+use super::index::Index;
+use super::kernels::Kernels;
 use super::region::{self, Clip, Shape};
-use super::tile::Forms;
 use crate::closure::pieces::Pieces;
-use crate::closure::specialise::Choices;
 use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::{along_ray, gradient};
 use crate::expr::equation::{self, Sign};
 use crate::expr::graph::{Graph, NodeId};
-use crate::expr::nest::nested;
 use crate::num::interval_lanes::IntervalLanes;
 use crate::num::lanes::Lanes;
 use crate::num::level::Simd;
@@ -58,8 +57,8 @@ pub struct Surface {
 pub(crate) struct Sheet {
     /// g and its derivatives, as the tracers run them.
     pub(crate) kernels: Kernels,
-    /// What of g can be left out in a part of space.
-    pub(crate) choices: Option<Choices>,
+    /// Where which part of g matters.
+    pub(crate) index: Option<Index>,
     /// g, g', g'' and then the conditions, one piece of a ray at a time.
     pub(crate) scalar: Pieces,
     /// g alone, with its jumps and poles taken apart.
@@ -72,41 +71,6 @@ pub(crate) struct Sheet {
     pub(crate) shared_roots: Vec<bool>,
     /// How many behind those must be ≤ 0 there: the clip's own formulas.
     pub(crate) fields: usize,
-}
-
-/// A function g over everything that rays are asked about.
-pub(crate) struct Kernels {
-    /// g over pieces of rays.
-    pub(crate) value: Kernel<Cells>,
-    /// g and g' = a·g_x + b·g_y + c·g_z over pieces of rays.
-    pub(crate) slope: Kernel<Cells>,
-    /// g over squares of the screen.
-    pub(crate) value_form: Kernel<Forms>,
-    /// g and g' there.
-    pub(crate) slope_form: Kernel<Forms>,
-    /// g at points.
-    pub(crate) point: Kernel<Points>,
-    /// g, g_x, g_y, g_z at points.
-    pub(crate) gradient: Kernel<Points>,
-}
-
-impl Kernels {
-    /// The kernels of a node; its derivatives are added to the graph.
-    pub(crate) fn new(graph: &mut Graph, g: NodeId, simd: Simd) -> Self {
-        let [x, y, z] = gradient(graph, g);
-        // Enclosures of powers do not know that they cancel; points need not.
-        let nested = nested(graph, g);
-        let nested_slope = along_ray(graph, &[nested])[0];
-        let (value, with_slope) = (Tape::new(graph, &[nested]), Tape::new(graph, &[nested, nested_slope]));
-        Kernels {
-            value: Kernel::new(&value, simd),
-            slope: Kernel::new(&with_slope, simd),
-            value_form: Kernel::new(&value, simd),
-            slope_form: Kernel::new(&with_slope, simd),
-            point: Kernel::new(&Tape::for_points(graph, &[g]), simd),
-            gradient: Kernel::new(&Tape::for_points(graph, &[g, x, y, z]), simd),
-        }
-    }
 }
 
 /// A function as it was written.
@@ -134,14 +98,14 @@ impl Surface {
             Kind::Equation => equation::sheets(graph, f).sheets,
             Kind::Solid => vec![equation::Sheet { g: f, guards: Vec::new(), nonzero: Vec::new(), sign: Sign::Same }],
         };
-        let sheets = parts.iter().map(|part| sheet(graph, part, &clip.fields, simd)).collect();
+        let sheets = parts.iter().map(|part| sheet(graph, part, clip, simd)).collect();
         let written = written(graph, f, simd);
         Surface { sheets, written, shapes: clip.shapes.clone(), size: clip.size(), kind, simd }
     }
 
     /// How many operations it takes to compute its functions at a point.
     pub fn steps(&self) -> usize {
-        self.sheets.iter().map(|sheet| sheet.kernels.value.len()).sum()
+        self.sheets.iter().map(|sheet| sheet.kernels.whole().value().len()).sum()
     }
 
     /// The distances between which the ray is inside the clip's shapes; `None` if it never is.
@@ -158,15 +122,16 @@ fn written(graph: &mut Graph, f: NodeId, simd: Simd) -> Written {
     }
 }
 
-fn sheet(graph: &mut Graph, part: &equation::Sheet, fields: &[NodeId], simd: Simd) -> Sheet {
-    let g = part.g;
+fn sheet(graph: &mut Graph, part: &equation::Sheet, clip: &Clip, simd: Simd) -> Sheet {
+    let (g, fields) = (part.g, &clip.fields);
     let slope = along_ray(graph, &[g])[0];
     let curvature = along_ray(graph, &[slope])[0];
     let mut scalar = vec![g, slope, curvature];
     scalar.extend(part.guards.iter().chain(&part.nonzero).chain(fields));
+    let kernels = Kernels::new(graph, g, simd);
     Sheet {
-        kernels: Kernels::new(graph, g, simd),
-        choices: Choices::new(graph, g, simd),
+        index: Index::new(&kernels, &clip.shapes, simd),
+        kernels,
         scalar: Pieces::new(Tape::new(graph, &scalar), simd),
         sides: Pieces::new(Tape::new(graph, &[g]), simd),
         shared_roots: part.nonzero.iter().map(|&d| equation::vanishes_with(graph, g, d)).collect(),

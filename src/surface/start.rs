@@ -37,6 +37,7 @@ pub(super) fn starts(
     departures: impl Iterator<Item = (usize, Ray, Hit, Side)>,
     points: &mut [DVec3],
 ) -> u64 {
+    let value = sheet.kernels.whole().value();
     let mut enclosures = 0;
     let mut open: Vec<(Try, Ray)> = Vec::new();
     for (number, ray, hit, side) in departures {
@@ -56,8 +57,8 @@ pub(super) fn starts(
             let lanes: Vec<(Try, Ray)> = rest.by_ref().take(CELLS).collect();
             enclosures += lanes.len() as u64;
             place(&lanes, points, cells);
-            sheet.kernels.value.run(cells);
-            let g = sheet.kernels.value.output(cells, 0);
+            value.run(cells);
+            let g = value.output(cells, 0);
             for (lane, (attempt, ray)) in lanes.into_iter().enumerate() {
                 let is_proven = if attempt.is_positive { g.lo[lane] > 0.0 } else { g.hi[lane] < 0.0 };
                 if !is_proven {

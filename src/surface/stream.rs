@@ -6,8 +6,9 @@
 
 use super::bundle::Bundle;
 use super::isolate::place;
+use super::kernels::Formula;
 use super::refine::{WIDTH, points_at};
-use super::sheet::{CELLS, Cells, Kernels, POINTS, Points};
+use super::sheet::{CELLS, Cells, POINTS, Points};
 use super::tile::Crossing;
 use crate::num::interval_lanes::PARTIAL;
 use crate::num::level::{Level, Simd, for_each_level};
@@ -91,7 +92,7 @@ impl Default for Stream {
 
 /// What a stream computes with.
 pub(crate) struct Tools<'a> {
-    pub(crate) kernels: &'a Kernels,
+    pub(crate) formula: Formula<'a>,
     /// Registers of the sheet's gradient at points, and of its values over pieces of rays.
     pub(crate) gradient: &'a mut [Points],
     pub(crate) cells: &'a mut [Cells],
@@ -148,9 +149,9 @@ impl Stream {
                 break;
             }
             points_at(tools.simd, &self.origin, &self.direction, &self.t, tools.gradient);
-            tools.kernels.gradient.run(tools.gradient);
+            tools.formula.gradient().run(tools.gradient);
             tools.evaluations += live as u64;
-            let [g, x, y, z] = [0, 1, 2, 3].map(|k| &tools.kernels.gradient.output(tools.gradient, k).0);
+            let [g, x, y, z] = [0, 1, 2, 3].map(|k| &tools.formula.gradient().output(tools.gradient, k).0);
             step(tools.simd, self, g, [x, y, z]);
         }
         face(tools.simd, self);
@@ -166,9 +167,9 @@ impl Stream {
             ([0, 1, 2].map(|k| part(&self.origin[k])), [0, 1, 2].map(|k| part(&self.direction[k])));
         let t = part(&self.t);
         place(tools.simd, &origin, &direction, &t, &t, tools.cells);
-        tools.kernels.value.run(tools.cells);
+        tools.formula.value().run(tools.cells);
         tools.enclosures += CELLS.min(count - first) as u64;
-        let g = tools.kernels.value.output(tools.cells, 0);
+        let g = tools.formula.value().output(tools.cells, 0);
         for k in 0..CELLS.min(count - first) {
             let i = first + k;
             let far = g.hi[k].max(-g.lo[k]) / self.steepness[i];

@@ -12,8 +12,8 @@
 //!   each ray has one root there.
 //! - None of these: half the slab, or four squares.
 
+use super::kernels::Formula;
 use super::screen::{Places, Rectangle, Screen, place_forms};
-use super::sheet::Kernels;
 use crate::num::affine_lanes::AffineLanes;
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::Simd;
@@ -139,31 +139,32 @@ enum Verdict {
 }
 
 impl Walk {
-    /// Settles what squares of pixels can, each ray between the depths that `range` gives for a square, looking no farther
+    /// Settles what squares of pixels can in a part of the rectangle, each ray between the depths that `range` gives for a square, looking no farther
     /// than the limits on either side.
     pub(crate) fn run(
         &mut self,
-        kernels: &Kernels,
+        formula: Formula,
         files: &mut FormFiles,
         (screen, rectangle, simd): (&Screen, Rectangle, Simd),
-        (limits, range): ((f64, f64), impl Fn(Rectangle) -> Option<(f64, f64)>),
+        (part, limits, range): (Rectangle, (f64, f64), impl Fn(Rectangle) -> Option<(f64, f64)>),
         settled: &mut Settled,
     ) {
         self.open.clear();
         self.limits = limits;
-        for place in rectangle.parts(LARGEST) {
+        for place in part.parts(LARGEST) {
+            let place = Rectangle { left: part.left + place.left, top: part.top + place.top, ..place };
             if let Some((a, end)) = range(place) {
                 self.open.push(Square { place, size: LARGEST, a, b: end, end, fresh: true, ..Square::default() });
             }
         }
         while !self.open.is_empty() || !self.crossed.is_empty() {
             while !self.open.is_empty() {
-                self.look_at_values(kernels, files, (screen, rectangle, simd), settled);
+                self.look_at_values(formula, files, (screen, rectangle, simd), settled);
                 if self.crossed.len() >= FORMS {
-                    self.look_at_slopes(kernels, files, (screen, rectangle, simd), settled);
+                    self.look_at_slopes(formula, files, (screen, rectangle, simd), settled);
                 }
             }
-            self.look_at_slopes(kernels, files, (screen, rectangle, simd), settled);
+            self.look_at_slopes(formula, files, (screen, rectangle, simd), settled);
         }
     }
 
@@ -189,7 +190,7 @@ impl Walk {
 
     fn look_at_values(
         &mut self,
-        kernels: &Kernels,
+        formula: Formula,
         files: &mut FormFiles,
         view: (&Screen, Rectangle, Simd),
         settled: &mut Settled,
@@ -200,8 +201,8 @@ impl Walk {
             *square = self.open.pop().unwrap_or_default();
         }
         self.place(&mut files.value, &squares[..count], view);
-        kernels.value_form.run(&mut files.value);
-        let g = kernels.value_form.output(&files.value, 0);
+        formula.value_form().run(&mut files.value);
+        let g = formula.value_form().output(&files.value, 0);
         settled.cells += count as u64;
         for (lane, square) in squares[..count].iter_mut().enumerate() {
             square.slabs += 1;
@@ -218,7 +219,7 @@ impl Walk {
     /// Files the crossed squares whose slope has one sign, and cuts the others.
     fn look_at_slopes(
         &mut self,
-        kernels: &Kernels,
+        formula: Formula,
         files: &mut FormFiles,
         view: (&Screen, Rectangle, Simd),
         settled: &mut Settled,
@@ -233,8 +234,8 @@ impl Walk {
             return;
         }
         self.place(&mut files.slope, &squares[..count], view);
-        kernels.slope_form.run(&mut files.slope);
-        let (g, slope) = (kernels.slope_form.output(&files.slope, 0), kernels.slope_form.output(&files.slope, 1));
+        formula.slope_form().run(&mut files.slope);
+        let (g, slope) = (formula.slope_form().output(&files.slope, 0), formula.slope_form().output(&files.slope, 1));
         settled.cells += count as u64;
         for (lane, square) in squares[..count].iter().enumerate() {
             let (lo, hi) = slope.bounds(lane);

@@ -1,0 +1,245 @@
+//! Squares of the screen: what of a rectangle they can settle, with the part of the formula that matters there.
+//!
+//! In: the rays of a rectangle. Out: hits, and the rays that are still open. Separate from single rays because these
+//! have much in common: what matters is found out for many at once.
+
+use super::{FAR, Job, Tiles, Tracer, View};
+use crate::closure::specialise::SLABS;
+use crate::surface::bundle::{Bundle, Spans};
+use crate::surface::hit::Outcome;
+use crate::surface::isolate::Open;
+use crate::surface::kernels::{Formula, Program};
+use crate::surface::screen::{Rectangle, place_cells};
+use crate::surface::sheet::Surface;
+use crate::surface::stream::{LENGTHENED, Root, SHORTENED, Tools};
+use crate::surface::tile::Rest;
+use std::ops::Range;
+
+/// A rectangle in which more arguments than this matter is quartered.
+const MANY: usize = 8;
+
+/// A rectangle of this side is not: lanes would be empty.
+const SMALLEST: u32 = 8;
+
+/// What matters is found out for this many layers of each quarter, one behind the other.
+const LAYERS: usize = SLABS / 4;
+
+/// Pixels of the rectangle between two depths.
+#[derive(Clone, Copy)]
+struct Block {
+    place: Rectangle,
+    depths: (f64, f64),
+}
+
+impl Block {
+    /// Its quarters, each in as many layers, from the front.
+    fn cells(&self) -> Vec<Block> {
+        let Block { place, depths: (a, end) } = *self;
+        let side = (place.width.max(place.height).next_power_of_two() / 2).max(1);
+        let step = (end - a) / LAYERS as f64;
+        let edge = |layer: usize| if layer == LAYERS { end } else { a + layer as f64 * step };
+        place
+            .parts(side)
+            .flat_map(|quarter| {
+                let (left, top) = (place.left + quarter.left, place.top + quarter.top);
+                let place = Rectangle { left, top, ..quarter };
+                (0..LAYERS).map(move |layer| Block { place, depths: (edge(layer), edge(layer + 1)) })
+            })
+            .collect()
+    }
+}
+
+/// A sheet of a surface by its numbers.
+#[derive(Clone, Copy)]
+struct Here<'a> {
+    surface: &'a Surface,
+    index: usize,
+    k: usize,
+}
+
+impl Tracer<'_> {
+    /// Settles what squares of the screen can, and opens the rays of the rest.
+    pub(super) fn squares(
+        &mut self,
+        surface: &Surface,
+        index: usize,
+        k: usize,
+        skipped: f64,
+        view: View,
+        job: &mut Job,
+    ) {
+        let spans = &mut self.tiles.spans;
+        spans.fill(view.bundle, &surface.shapes, skipped * surface.size, surface.simd);
+        for (far, hit) in spans.far.iter_mut().zip(&*job.hits) {
+            *far = far.min(hit.t).min(FAR);
+        }
+        let Rectangle { width, height, .. } = view.rectangle;
+        let all = Rectangle { left: 0, top: 0, width, height };
+        let here = Here { surface, index, k };
+        self.part(here, view, Block { place: all, depths: (0.0, f64::INFINITY) }, None, job);
+    }
+
+    /// Settles a part of the rectangle between two depths, where these arguments matter (`None`: all).
+    fn part(&mut self, here: Here, view: View, block: Block, among: Option<&[u32]>, job: &mut Job) {
+        let sheet = &here.surface.sheets[here.k];
+        let Some(block) = self.shrunk(view, block) else { return };
+        let Some(parts) = &sheet.kernels.parts else {
+            self.walk(here, sheet.kernels.whole(), view, block, job);
+            return;
+        };
+        let every: Vec<u32>;
+        let among = match among {
+            Some(among) => among,
+            None => {
+                every = (0..parts.choices.arguments() as u32).collect();
+                &every
+            }
+        };
+        let cells = block.cells();
+        let registers = &mut self.files[here.index][here.k].leaves;
+        let on_screen: Vec<_> = cells.iter().map(|cell| (view.on_screen(cell.place), cell.depths)).collect();
+        place_cells(here.surface.simd, view.screen, &on_screen, registers);
+        let steps = parts.steps_of(among);
+        let leaves = parts.leaves(&steps);
+        leaves.run(registers);
+        let mut bits = Vec::with_capacity(among.len());
+        parts.choices.live(here.surface.simd, &leaves, registers, among, &mut bits);
+        self.counts.cells += cells.len() as u64;
+        let live = |cells: Range<usize>| -> Vec<u32> {
+            let mask = cells.fold(0, |mask, lane| mask | 1u16 << lane);
+            among.iter().zip(&bits).filter(|(_, bits)| **bits & mask != 0).map(|(&k, _)| k).collect()
+        };
+        let all = live(0..cells.len());
+        let is_small = block.place.width.max(block.place.height) <= SMALLEST;
+        if all.len() <= MANY || is_small {
+            self.settle(here, view, block, &all, job);
+            return;
+        }
+        for first in (0..cells.len()).step_by(LAYERS) {
+            let mut layer = first;
+            while layer < first + LAYERS {
+                let mut end = layer + 1;
+                let mut here_live = live(layer..end);
+                while end < first + LAYERS && live(layer..end + 1).len() <= MANY {
+                    end += 1;
+                    here_live = live(layer..end);
+                }
+                let depths = (cells[layer].depths.0, cells[end - 1].depths.1);
+                let part = Block { depths, ..cells[layer] };
+                if here_live.len() > MANY {
+                    self.part(here, view, part, Some(&here_live), job);
+                } else {
+                    self.settle(here, view, part, &here_live, job);
+                }
+                layer = end;
+            }
+        }
+    }
+
+    /// Settles a block where these arguments alone matter.
+    fn settle(&mut self, here: Here, view: View, block: Block, live: &[u32], job: &mut Job) {
+        if !live.is_empty() {
+            let program = Program::new(live);
+            let formula = here.surface.sheets[here.k].kernels.only(&program);
+            if let Some(block) = self.shrunk(view, block) {
+                self.walk(here, formula, view, block, job);
+            }
+        }
+    }
+
+    /// A block without what lies in front of and behind the rays that are still looked at; `None` if there are none.
+    fn shrunk(&self, view: View, block: Block) -> Option<Block> {
+        let depths = depths(view.bundle, &self.tiles.spans, block.place.numbers(view.rectangle.width));
+        depths.and_then(|found| meet(beyond(found), block.depths)).map(|depths| Block { depths, ..block })
+    }
+
+    /// Settles what squares of a part of the rectangle can in one formula, and opens the rays of the rest.
+    fn walk(
+        &mut self,
+        Here { surface, index, k }: Here,
+        formula: Formula,
+        View { screen, rectangle, bundle }: View,
+        block: Block,
+        job: &mut Job,
+    ) {
+        let (size, simd) = (surface.size, surface.simd);
+        let Tiles { walk, settled, stream, spans } = &mut self.tiles;
+        settled.clear();
+        let registers = &mut self.files[index][k].registers;
+        let range = |square: Rectangle| {
+            depths(bundle, spans, square.numbers(rectangle.width)).and_then(|found| meet(found, block.depths))
+        };
+        let region = (block.place, block.depths, range);
+        walk.run(formula, &mut registers.forms, (screen, rectangle, simd), region, settled);
+        self.counts.cells += settled.cells;
+        let (gradient, cells) = (&mut registers.gradient, &mut registers.cells.value);
+        let mut tools = Tools { formula, gradient, cells, size, simd, evaluations: 0, enclosures: 0 };
+        let open = &mut self.open;
+        let mut found = |root: &Root| file(root, spans, open, job);
+        for crossing in &settled.crossings {
+            stream.take(crossing, bundle, rectangle.width, &mut tools, &mut found);
+        }
+        stream.run(&mut tools, &mut found);
+        self.counts.gradients += tools.evaluations;
+        self.counts.cells += tools.enclosures;
+        for &Rest { place, a, step, cost } in &settled.rest {
+            for i in place.numbers(rectangle.width) {
+                let (t0, t1, long) = (spans.near[i], spans.far[i], bundle.length[i]);
+                let a = t0.max(a * long * SHORTENED);
+                if a <= t1 {
+                    spans.far[i] = a;
+                    self.open.push(Open { ray: i as u32, a, end: t1, step: step * long, slabs: cost });
+                }
+            }
+        }
+    }
+}
+
+/// Files what became of a ray: its hit, or what of it is still open.
+fn file(root: &Root, spans: &mut Spans, open: &mut Vec<Open>, job: &mut Job) {
+    let (t0, t1) = (spans.near[root.ray], spans.far[root.ray]);
+    let (ray, a) = (root.ray as u32, root.a.max(t0));
+    let again = Open { ray, a, end: t1, step: root.b - root.a, slabs: root.cost };
+    let far = &mut spans.far[root.ray];
+    match root.t {
+        _ if !(t0 <= t1) || a > t1 => {}
+        _ if root.width.is_nan() => {
+            *far = a;
+            open.push(again);
+        }
+        t if t < t0 => {
+            *far = f64::NEG_INFINITY;
+            open.extend((root.b < t1).then_some(Open { a: root.b.max(t0), ..again }));
+        }
+        t if t <= t1 => {
+            *far = t;
+            job.settle(again, Outcome::Hit, t, root.width);
+            let hit = &mut job.hits[root.ray];
+            (hit.normal, hit.flipped) = (root.normal, root.flipped);
+        }
+        _ => job.hits[root.ray].cost += root.cost,
+    }
+}
+
+/// Between which depths any of these rays is looked at.
+fn depths(bundle: &Bundle, spans: &Spans, rays: impl Iterator<Item = usize>) -> Option<(f64, f64)> {
+    let (mut a, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
+    for i in rays {
+        if spans.near[i] <= spans.far[i] {
+            a = a.min(spans.near[i] / bundle.length[i]);
+            end = end.max(spans.far[i] / bundle.length[i]);
+        }
+    }
+    (a <= end).then_some((a * SHORTENED, end * LENGTHENED))
+}
+
+/// A stretch of depths with a margin: squares may look a little beyond their rays' ends.
+fn beyond((first, last): (f64, f64)) -> (f64, f64) {
+    (first * 0.9, if last < FAR { last + 0.1 * (last - first) } else { last })
+}
+
+/// What two stretches have in common.
+fn meet(a: (f64, f64), b: (f64, f64)) -> Option<(f64, f64)> {
+    let (first, last) = (a.0.max(b.0), a.1.min(b.1));
+    (first <= last).then_some((first, last))
+}
