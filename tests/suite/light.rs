@@ -88,7 +88,9 @@ fn white_balls_vanish_in_a_furnace() {
         rows.push((format!("kind: glass, ior: 1.5, roughness: {roughness}"), 0.01));
     }
     for (material, bound) in rows {
-        let mean = furnace(&material, Way { bounces: 64, samples: 32, ..WAY });
+        // What passes rough facets at grazing angles comes in few, heavy samples.
+        let samples = if material.contains("glass, ior: 1.5, rough") { 512 } else { 32 };
+        let mean = furnace(&material, Way { bounces: 64, samples, ..WAY });
         // Light is lost at the last bounce, and by chance in the last paths: less than a thousandth.
         let bound = bound + 1e-3;
         assert!((mean - 1.0).abs().max_element() < bound, "{material}: {mean}");
