@@ -37,6 +37,7 @@ struct Path {
     pdf: f64,
     /// Where it left the last surface.
     from: DVec3,
+    is_from_eye: bool,
 }
 
 /// A ray towards an emitter.
@@ -94,6 +95,7 @@ pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, li
         throughput: DVec3::ONE,
         pdf: f64::INFINITY,
         from: flight.ray.origin,
+        is_from_eye: true,
     };
     let mut paths: Vec<Path> = eye.iter().enumerate().map(start).collect();
     let (mut met, mut found) = (Vec::new(), Vec::new());
@@ -123,12 +125,14 @@ pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, li
 /// The light of balls and of what is far that a flight met.
 fn seen<T: Trace>(world: &World<T>, path: &Path, flight: &Flight, met: &Met) -> DVec3 {
     let direction = flight.ray.direction;
+    let is_from_eye = path.is_from_eye;
     let weighed = |(emitter, radiance): (usize, DVec3)| {
         radiance * share(path.pdf, world.lights.pdf_toward(emitter, path.from, direction))
     };
     match *met {
         Met::Surface(..) => DVec3::ZERO,
         Met::Ball(emitter, t) => weighed((emitter, world.lights.ball_radiance(emitter, &flight.ray, t).0)),
+        Met::Nothing if is_from_eye && world.hides_sky => DVec3::ZERO,
         Met::Nothing => world.lights.far(direction).map(weighed).sum(),
     }
 }
@@ -204,7 +208,7 @@ fn scatter(paths: &[Path], found: &[Vertex], flights: &[Flight], first: u32, eve
         }
         let direction = vertex.frame.world_from_local(sample.wi).normalize();
         let pdf = if sample.is_specular { f64::INFINITY } else { sample.pdf };
-        on.push(Path { place: path.place, throughput, pdf, from: vertex.point });
+        on.push(Path { place: path.place, throughput, pdf, from: vertex.point, is_from_eye: false });
         flying.push(vertex.leave(sample.wi, direction, f64::INFINITY, numbers));
     }
     (on, flying)

@@ -112,6 +112,8 @@ pub struct World<'a, T> {
     pub lights: &'a Lights,
     /// What is clear.
     pub solids: &'a Solids,
+    /// Whether the surroundings are not seen where the eye sees nothing else.
+    pub hides_sky: bool,
     /// Who traces.
     pub tracer: &'a mut T,
     /// Room.
@@ -129,6 +131,14 @@ pub struct Room {
     passing: Vec<(usize, Hit)>,
     departures: Vec<(Ray, Hit, Side)>,
     points: Vec<DVec3>,
+    covered: Vec<bool>,
+}
+
+impl Room {
+    /// Of the last flights from the eye, which met anything.
+    pub fn covered(&self) -> &[bool] {
+        &self.covered
+    }
 }
 
 impl<T: Trace> World<'_, T> {
@@ -137,6 +147,7 @@ impl<T: Trace> World<'_, T> {
         met.clear();
         met.resize(flights.len(), Met::Nothing);
         let mut room = std::mem::take(self.room);
+        let is_from_eye = from == From::Eye;
         let mut from = from;
         room.open.clear();
         room.open.extend(0..flights.len());
@@ -151,6 +162,10 @@ impl<T: Trace> World<'_, T> {
             self.sort(flights, &mut room, met);
             self.pass_by_opacity(flights, &mut room);
             self.go_on(flights, &mut room);
+        }
+        if is_from_eye {
+            room.covered.clear();
+            room.covered.extend(met.iter().map(|met| !matches!(met, Met::Nothing)));
         }
         *self.room = room;
     }
