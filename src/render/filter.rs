@@ -63,6 +63,10 @@ pub struct FilterTable {
     filter: Filter,
     /// The sums of the sizes of the steps of one side, of 0..=1.
     sums: Vec<f64>,
+    /// For as many even parts of 0..=1, the step that the part begins in.
+    first: Vec<usize>,
+    /// The signs of the steps.
+    signs: Vec<f64>,
     /// 1 over the integral.
     scale: f64,
 }
@@ -82,7 +86,9 @@ impl FilterTable {
             })
             .collect();
         sums[STEPS - 1] = 1.0;
-        FilterTable { filter, sums, scale: 1.0 / (2.0 * width * values.iter().sum::<f64>()) }
+        let first = (0..STEPS).map(|part| sums.partition_point(|&sum| sum <= part as f64 / STEPS as f64)).collect();
+        let signs = values.iter().map(|&value| if value < 0.0 { -1.0 } else { 1.0 }).collect();
+        FilterTable { filter, sums, first, signs, scale: 1.0 / (2.0 * width * values.iter().sum::<f64>()) }
     }
 
     /// A place around the centre of a pixel, in pixels, and its sign.
@@ -93,13 +99,18 @@ impl FilterTable {
 
     fn along(&self, u: f64) -> (f64, f64) {
         let (side, u) = if u < 0.5 { (-1.0, 1.0 - 2.0 * u) } else { (1.0, 2.0 * u - 1.0) };
-        let step = self.sums.partition_point(|&sum| sum <= u).min(STEPS - 1);
+        if self.filter == Filter::Box {
+            return (side * u * 0.5, 1.0);
+        }
+        let mut step = self.first[((u * STEPS as f64) as usize).min(STEPS - 1)];
+        while step < STEPS - 1 && self.sums[step] <= u {
+            step += 1;
+        }
         let before = if step == 0 { 0.0 } else { self.sums[step - 1] };
         let width = self.sums[step] - before;
         let rest = if width > 0.0 { ((u - before) / width).clamp(0.0, 1.0) } else { 0.5 };
-        let middle = (step as f64 + 0.5) * self.filter.radius() / STEPS as f64;
         let x = (step as f64 + rest) * self.filter.radius() / STEPS as f64;
-        (side * x, if self.filter.value(middle) < 0.0 { -1.0 } else { 1.0 })
+        (side * x, self.signs[step])
     }
 
     /// What a unit of light at a place gives to a pixel whose centre is (dx, dy) pixels away: the filter there, of integral 1.
