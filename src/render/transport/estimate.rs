@@ -51,6 +51,7 @@ pub struct Estimator<'a> {
     illumination: &'a Illumination,
     room: Room,
     eye: Option<Media>,
+    paths: path::PathRoom,
     flights: Vec<Flight>,
     places: Vec<[f64; 2]>,
     light: Vec<DVec3>,
@@ -60,9 +61,9 @@ pub struct Estimator<'a> {
 impl<'a> Estimator<'a> {
     /// With empty room.
     pub fn new(scene: &'a Scene, settings: &'a Settings, illumination: &'a Illumination) -> Self {
-        let room = Room::default();
+        let (room, paths) = (Room::default(), path::PathRoom::default());
         let (flights, places, light, shown) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Estimator { scene, settings, illumination, room, eye: None, flights, places, light, shown }
+        Estimator { scene, settings, illumination, room, eye: None, paths, flights, places, light, shown }
     }
 
     /// The scene with someone who traces.
@@ -77,7 +78,7 @@ impl<'a> Estimator<'a> {
         self.aim(tracer, samples);
         let bounces = self.settings.bounces;
         let (flights, mut light) = (std::mem::take(&mut self.flights), std::mem::take(&mut self.light));
-        let mut shown = std::mem::take(&mut self.shown);
+        let (mut shown, mut paths) = (std::mem::take(&mut self.shown), std::mem::take(&mut self.paths));
         shown.clear();
         let (size, mode) = (self.settings.size, self.settings.mode);
         let mut world = self.world(tracer);
@@ -87,14 +88,14 @@ impl<'a> Estimator<'a> {
                 let mut vertices = Vec::new();
                 light_paths(&mut world, &samples, bounces, &mut vertices);
                 splats(&mut world, &vertices, &samples, size, false, &mut shown);
-                path::radiance(&mut world, &flights, 0, &mut light);
+                path::radiance(&mut world, &flights, 0, &mut paths, &mut light);
             }
             Mode::Bidirectional => {
                 bidirectional::radiance(&mut world, &flights, size, bounces, (&mut light, &mut shown));
             }
-            _ => path::radiance(&mut world, &flights, bounces, &mut light),
+            _ => path::radiance(&mut world, &flights, bounces, &mut paths, &mut light),
         }
-        (self.flights, self.light, self.shown) = (flights, light, shown);
+        (self.flights, self.light, self.shown, self.paths) = (flights, light, shown, paths);
         out.clear();
         let finite = |light: DVec3| if light.is_finite() { light } else { DVec3::ZERO };
         let estimate = |((&light, &place), &is_covered)| Estimate { place, light: finite(light), is_covered };

@@ -6,6 +6,7 @@
 use super::lights::Lights;
 use super::media::{Boundary, Media, Solids, transmittance};
 use super::sobol;
+use super::vertex::Arrivals;
 use crate::render::trace::Trace;
 use crate::scene::{Material, Scene};
 use crate::surface::{Hit, Ray, Shape, Side};
@@ -131,6 +132,8 @@ pub struct Room {
     passing: Vec<(usize, Hit)>,
     departures: Vec<(Ray, Hit, Side)>,
     points: Vec<DVec3>,
+    /// Of the vertices.
+    pub(super) arrivals: Arrivals,
     covered: Vec<bool>,
 }
 
