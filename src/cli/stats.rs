@@ -4,6 +4,7 @@
 
 use super::clock::Moment;
 use crate::render::Report;
+use crate::render::transport::losses::losses;
 use crate::session::Plan;
 use crate::surface::{Method, Shape};
 use serde_json::{Value, json};
@@ -118,6 +119,9 @@ pub fn sentences(stages: &Stages, plan: &Plan, report: &Report) -> String {
         milliseconds(wall.shade),
         milliseconds(wall.encode)
     );
+    for loss in losses(plan.settings.mode, &plan.scene) {
+        text += &format!("warning: {loss}\n");
+    }
     text
 }
 

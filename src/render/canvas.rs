@@ -2,14 +2,16 @@
 //!
 //! In: what the rays of a tile know, and what further samples add. Out: the drawing, whole after every pass.
 
+use super::filter::Weights;
 use super::knowledge::{Knowledge, edges};
 use super::sampling;
 use super::settings::{Mode, Settings};
 use super::studio::glimpse::Remembered;
 use super::tiles::{Drawing, Pass, Report, Tile};
+use super::transport::estimate::Estimate;
+use super::transport::light::Splat;
 use crate::film::{Layer, Size};
 use crate::surface::{Counts, Hit};
-use glam::DVec3;
 use std::sync::{Mutex, MutexGuard};
 
 /// What all threads write to, under one lock that is held for a copy at a time.
@@ -23,17 +25,18 @@ pub struct Canvas {
     squares: Option<Squares>,
     /// By tile, the pixels that get more samples.
     edges: Vec<Vec<Edge>>,
-    /// The samples of the modes that follow light, added up, and their signs.
-    light: Option<Layer<[f64; 4]>>,
-    /// What paths from the lights show, in steps of [`STEP`]: whole numbers, whose sum is the same in any order.
+    /// Of the modes that follow light, the samples that count in each pixel, added up: light, weight, and weight of what is covered,
+    /// in steps of [`STEP`]: whole numbers, whose sum is the same in any order.
+    light: Option<Layer<[i128; 5]>>,
+    /// What paths from the lights show, likewise.
     shown: Option<Layer<[i128; 3]>>,
 }
 
 /// The steps in which light is added that comes to a pixel from any thread: 2^−60, and 2^67 at most.
 const STEP: f64 = 1.0 / (1u64 << 60) as f64;
 
-/// The least share of the samples that signs may add up to; a pixel with less keeps what the last pass showed.
-const LEAST_SIGNS: f64 = 0.25;
+/// The least weight of all samples of a pixel, per sample: where few of them fall to its rim, their weights may cancel.
+const LEAST_WEIGHT: f64 = 0.05;
 
 /// What a coarse pass drew, one value a square.
 struct Squares {
@@ -56,6 +59,11 @@ pub struct Edge {
     pub is_torn: bool,
 }
 
+/// Adds in steps of [`STEP`].
+fn add(sum: &mut i128, more: f64) {
+    *sum = sum.saturating_add((more / STEP) as i128);
+}
+
 impl Canvas {
     /// An empty one.
     pub fn new(settings: &Settings) -> Self {
@@ -74,7 +82,7 @@ impl Canvas {
             memory: (settings.mode == Mode::Studio).then(|| Layer::filled(size, Remembered::NONE)),
             squares: None,
             edges: Vec::new(),
-            light: settings.mode.is_transport().then(|| Layer::filled(size, [0.0; 4])),
+            light: settings.mode.is_transport().then(|| Layer::filled(size, [0; 5])),
             shown: matches!(settings.mode, Mode::Light | Mode::Bidirectional).then(|| Layer::filled(size, [0; 3])),
         }
     }
@@ -164,40 +172,52 @@ impl Canvas {
         self.drawing
     }
 
-    /// The sums of a tile's pixels.
-    pub fn light(&self, tile: Tile) -> Vec<[f64; 4]> {
-        self.light.as_ref().map_or_else(Vec::new, |light| tile.pixels().map(|(i, j)| light.at(i, j)).collect())
-    }
-
-    /// Puts them back with more in them.
-    pub fn put_light(&mut self, tile: Tile, sums: &[[f64; 4]]) {
-        if let Some(light) = &mut self.light {
-            tile.pixels().zip(sums).for_each(|((i, j), &sum)| light.set(i, j, sum));
+    /// Adds samples, each to all pixels that it counts in.
+    pub fn add_light(&mut self, estimates: &[Estimate], weights: &Weights) {
+        let Some(light) = &mut self.light else { return };
+        let (width, height) = (light.size.width(), light.size.height());
+        for Estimate { place: [x, y], light: radiance, is_covered } in estimates {
+            let across = weights.along(*x, width);
+            for (j, down) in weights.along(*y, height) {
+                for (i, weight) in across.clone().map(|(i, across)| (i, across * down)) {
+                    let [r, g, b] = (*radiance * weight).to_array();
+                    let covered = if *is_covered { weight } else { 0.0 };
+                    let sums = &mut light.values[(j * width + i) as usize];
+                    sums.iter_mut().zip([r, g, b, weight, covered]).for_each(|(sum, more)| add(sum, more));
+                }
+            }
         }
     }
 
-    /// Adds light to a pixel of any tile.
-    pub fn add_shown(&mut self, (i, j): (u32, u32), light: DVec3) {
-        if let Some(shown) = &mut self.shown {
-            let mut sum = shown.at(i, j);
-            sum.iter_mut()
-                .zip(light.to_array())
-                .for_each(|(sum, light)| *sum = sum.saturating_add((light / STEP) as i128));
-            shown.set(i, j, sum);
+    /// Adds light that paths from the lights show.
+    pub fn add_shown<'s>(&mut self, splats: impl Iterator<Item = &'s Splat>, weights: &Weights) {
+        let Some(shown) = &mut self.shown else { return };
+        let (width, height) = (shown.size.width(), shown.size.height());
+        for Splat { place: [x, y], light } in splats {
+            let across = weights.along(*x, width);
+            for (j, down) in weights.along(*y, height) {
+                for (i, across) in across.clone() {
+                    let sums = &mut shown.values[(j * width + i) as usize];
+                    let more = (*light * (across * down)).to_array();
+                    sums.iter_mut().zip(more).for_each(|(sum, more)| add(sum, more));
+                }
+            }
         }
     }
 
     /// Puts the means of so many samples into the picture.
     pub fn show_light(&mut self, samples: u32) {
         let Some(light) = &self.light else { return };
-        for (k, (pixel, &[r, g, b, signs])) in self.drawing.picture.values.iter_mut().zip(&light.values).enumerate() {
-            if signs.abs() < LEAST_SIGNS * f64::from(samples) {
-                continue;
-            }
+        for (k, &sums) in light.values.iter().enumerate() {
+            let [r, g, b, weight, covered] = sums.map(|sum| sum as f64 * STEP);
+            let weight = weight.max(LEAST_WEIGHT * f64::from(samples));
             let shown = self.shown.as_ref().map_or([0; 3], |shown| shown.values[k]);
             let shown = shown.map(|sum| sum as f64 * STEP / f64::from(samples));
-            let seen = [r, g, b].map(|sum| sum / signs);
-            *pixel = std::array::from_fn(|c| (seen[c] + shown[c]) as f32);
+            let seen = [r, g, b].map(|sum| sum / weight);
+            self.drawing.picture.values[k] = std::array::from_fn(|c| (seen[c] + shown[c]) as f32);
+            if let Some(alpha) = &mut self.drawing.alpha {
+                alpha.values[k] = (covered / weight).clamp(0.0, 1.0) as f32;
+            }
         }
     }
 

@@ -1,7 +1,7 @@
-//! How much a place counts in a pixel.
+//! How much light at a place counts in a pixel.
 //!
-//! In: a filter, two numbers of 0..1. Out: a place around the pixel's centre, as likely as the filter's size there, and its sign: the mean over
-//! such places, each with its sign, is what the filter gives (Ernst, Stamminger and Greiner 2006, "Filter importance sampling").
+//! In: a filter, how far a place is from a pixel's centre. Out: its weight there. A sample counts in every pixel that the filter reaches from
+//! it, so that all samples of the neighbourhood make a pixel.
 
 use crate::num::func::native;
 
@@ -20,7 +20,7 @@ pub enum Filter {
 /// The standard deviation of the bell in pixels.
 const DEVIATION: f64 = 0.5;
 
-/// The steps in which a filter is tabled, to one side.
+/// The steps in which the integral of the bell is taken.
 const STEPS: usize = 256;
 
 impl Filter {
@@ -43,73 +43,48 @@ impl Filter {
 
     /// Its value at a distance from the centre along one axis; the integral is 1 for box and Mitchell, and as it is for the bell.
     fn value(self, x: f64) -> f64 {
-        let x = x.abs();
         match self {
-            _ if x >= self.radius() => 0.0,
-            Filter::Box => 1.0,
+            // A place on the line between two pixels is one's alone.
+            Filter::Box => f64::from(u8::from(x > -0.5 && x <= 0.5)),
+            Filter::Gaussian | Filter::Mitchell if x.abs() >= 2.0 => 0.0,
             Filter::Gaussian => {
                 let bell = |x: f64| native::exp(-x * x / (2.0 * DEVIATION * DEVIATION));
                 bell(x) - bell(2.0)
             }
-            Filter::Mitchell if x < 1.0 => ((7.0 * x - 12.0) * x * x + 16.0 / 3.0) / 6.0,
-            Filter::Mitchell => (((-7.0 / 3.0 * x + 12.0) * x - 20.0) * x + 32.0 / 3.0) / 6.0,
+            Filter::Mitchell => {
+                let x = x.abs();
+                let cubic = if x < 1.0 {
+                    (7.0 * x - 12.0) * x * x + 16.0 / 3.0
+                } else {
+                    ((-7.0 / 3.0 * x + 12.0) * x - 20.0) * x + 32.0 / 3.0
+                };
+                cubic / 6.0
+            }
         }
     }
 }
 
-/// A filter, tabled.
-#[derive(Clone, Debug)]
-pub struct FilterTable {
+/// A filter of integral 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Weights {
     filter: Filter,
-    /// The sums of the sizes of the steps of one side, of 0..=1.
-    sums: Vec<f64>,
-    /// 1 over the integral.
     scale: f64,
 }
 
-impl FilterTable {
-    /// The table of a filter.
+impl Weights {
+    /// The weights of a filter.
     pub fn new(filter: Filter) -> Self {
-        let width = filter.radius() / STEPS as f64;
-        let values: Vec<f64> = (0..STEPS).map(|k| filter.value((k as f64 + 0.5) * width)).collect();
-        let total: f64 = values.iter().map(|value| value.abs()).sum();
-        let mut sum = 0.0;
-        let mut sums: Vec<f64> = values
-            .iter()
-            .map(|value| {
-                sum += value.abs() / total;
-                sum
-            })
-            .collect();
-        sums[STEPS - 1] = 1.0;
-        FilterTable { filter, sums, scale: 1.0 / (2.0 * width * values.iter().sum::<f64>()) }
+        let width = 2.0 * filter.radius() / STEPS as f64;
+        let values = (0..STEPS).map(|k| filter.value((k as f64 + 0.5) * width - filter.radius()));
+        Weights { filter, scale: 1.0 / (width * values.sum::<f64>()) }
     }
 
-    /// A place around the centre of a pixel, in pixels, and its sign.
-    pub fn place(&self, [u, v]: [f64; 2]) -> ([f64; 2], f64) {
-        let ((x, a), (y, b)) = (self.along(u), self.along(v));
-        ([x, y], a * b)
-    }
-
-    fn along(&self, u: f64) -> (f64, f64) {
-        let (side, u) = if u < 0.5 { (-1.0, 1.0 - 2.0 * u) } else { (1.0, 2.0 * u - 1.0) };
-        let step = self.sums.partition_point(|&sum| sum <= u).min(STEPS - 1);
-        let before = if step == 0 { 0.0 } else { self.sums[step - 1] };
-        let width = self.sums[step] - before;
-        let rest = if width > 0.0 { ((u - before) / width).clamp(0.0, 1.0) } else { 0.5 };
-        let middle = (step as f64 + 0.5) * self.filter.radius() / STEPS as f64;
-        let x = (step as f64 + rest) * self.filter.radius() / STEPS as f64;
-        (side * x, if self.filter.value(middle) < 0.0 { -1.0 } else { 1.0 })
-    }
-
-    /// What a unit of light at a place gives to a pixel whose centre is (dx, dy) pixels away: the filter there, of integral 1.
-    pub fn weight(&self, dx: f64, dy: f64) -> f64 {
-        self.filter.value(dx) * self.filter.value(dy) * self.scale * self.scale
-    }
-
-    /// How far it reaches, in pixels.
-    pub fn radius(&self) -> f64 {
-        self.filter.radius()
+    /// The pixels of a row of `count` that a place counts in, with the weight of each along this axis.
+    pub fn along(&self, place: f64, count: u32) -> impl Iterator<Item = (u32, f64)> + Clone {
+        let (filter, scale) = (self.filter, self.scale);
+        let first = (place - 0.5 - filter.radius()).ceil().max(0.0) as u32;
+        let end = ((place - 0.5 + filter.radius()).floor() + 1.0).max(0.0) as u32;
+        (first..end.min(count)).map(move |k| (k, filter.value(f64::from(k) + 0.5 - place) * scale))
     }
 }
 
@@ -118,36 +93,33 @@ mod tests {
     use super::*;
 
     #[test]
-    fn signed_means_over_places_are_what_the_filter_gives() {
-        // The integral of the filter times x² along one axis: 1/12; the bell's; Mitchell's, whose moment is B/3 − … = 0 + 2B·… by sums.
+    fn weights_of_every_filter_have_an_integral_of_one() {
         for (name, filter) in Filter::ALL {
-            let table = FilterTable::new(filter);
-            let n = 4000;
-            let step = 2.0 * filter.radius() / f64::from(n);
-            let xs = (0..n).map(|k| (f64::from(k) + 0.5) * step - filter.radius());
-            let (mut area, mut moment) = (0.0, 0.0);
-            for x in xs {
-                area += filter.value(x) * step;
-                moment += filter.value(x) * x * x * step;
-            }
-            let (mut signs, mut seen) = (0.0, 0.0);
-            for k in 0..n {
-                let ([x, _], sign) = table.place([(f64::from(k) + 0.5) / f64::from(n), 0.5001]);
-                signs += sign;
-                seen += sign * x * x;
-            }
-            assert!((seen / signs - moment / area).abs() < 2e-3, "{name}: {} {}", seen / signs, moment / area);
-            assert!(
-                (table.weight(0.2, 0.0) / (filter.value(0.2) * filter.value(0.0)) - 1.0 / (area * area)).abs() < 1e-3
-            );
+            let weights = Weights::new(filter);
+            let n = 1000;
+            let sum = |pixel: u32| -> f64 {
+                let places = (0..10 * n).map(|k| (f64::from(k) + 0.5) / f64::from(n));
+                places.flat_map(|place| weights.along(place, 10)).filter(|(k, _)| *k == pixel).map(|(_, w)| w).sum()
+            };
+            assert!((sum(5) / f64::from(n) - 1.0).abs() < 1e-3, "{name}: {}", sum(5));
         }
     }
 
     #[test]
     fn mitchell_is_the_published_cubic() {
-        // (6 − 2B)/6 in the middle, B/6 at 1, 0 at 2; its integral is 1.
+        // (6 − 2B)/6 in the middle, B/6 at 1, 0 at 2.
         let at = |x| Filter::Mitchell.value(x);
         assert!((at(0.0) - 16.0 / 18.0).abs() < 1e-15 && (at(1.0) - 1.0 / 18.0).abs() < 1e-15 && at(2.0) == 0.0);
-        assert!((FilterTable::new(Filter::Mitchell).scale - 1.0).abs() < 1e-4);
+        assert!((Weights::new(Filter::Mitchell).scale - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a_box_gives_a_place_to_one_pixel() {
+        let weights = Weights::new(Filter::Box);
+        for (place, pixel) in [(3.0, 3), (3.999, 3), (0.0, 0), (3.5, 3)] {
+            let pixels: Vec<u32> =
+                weights.along(place, 9).filter(|(_, weight)| *weight > 0.0).map(|(k, _)| k).collect();
+            assert_eq!(pixels, [pixel], "{place}");
+        }
     }
 }

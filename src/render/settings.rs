@@ -102,7 +102,7 @@ impl Mode {
 
     /// Whether what is behind the surfaces can be chosen.
     pub fn has_background(self) -> bool {
-        matches!(self, Mode::Studio | Mode::Cosine | Mode::Mirror)
+        matches!(self, Mode::Studio | Mode::Cosine | Mode::Mirror) || self.is_transport()
     }
 
     /// Whether its pictures are means over paths of light: every pixel has all samples.
@@ -145,7 +145,7 @@ pub struct Settings {
     pub passes: Passes,
 }
 
-/// What is seen where nothing is hit, in modes `studio`, `cosine` and `mirror`.
+/// What is seen where nothing is hit, in modes `studio`, `cosine`, `mirror` and those that follow light.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Background {
     /// What the mode has.

@@ -111,8 +111,8 @@ pub fn draw<T: Trace>(
     watch: &dyn Watch,
 ) -> Result<Drawing, Failure> {
     let canvas = Mutex::new(Canvas::new(settings));
-    let illumination = (settings.mode.is_transport() || settings.mode == Mode::Whitted)
-        .then(|| Illumination::new(scene, settings.filter));
+    let illumination =
+        (settings.mode.is_transport() || settings.mode == Mode::Whitted).then(|| Illumination::new(scene));
     let illumination = illumination.as_ref();
     let job = Job { scene, settings, make_tracer, watch, canvas: &canvas, illumination, total: pieces(settings) };
     let end = job.all_passes();

@@ -3,6 +3,7 @@
 //! In: tiles, one after the other. Out: colours and what the rays know, on the canvas that all threads share.
 
 use super::canvas::{Canvas, Edge, lock};
+use super::filter::{Filter, Weights};
 use super::integrator::{behind, colours_of, pixel, shade};
 use super::sampling;
 use super::settings::{Background, Mode, Settings};
@@ -166,29 +167,23 @@ impl<'a, T: Trace> Worker<'a, T> {
     pub fn shine(&mut self, tile: Tile, samples: Range<u32>) {
         let Some(mut estimator) = self.estimator.take() else { return };
         let pixels: Vec<(u32, u32)> = tile.pixels().collect();
-        let mut sums = lock(self.canvas).light(tile);
+        // The only sample of a pixel is its own.
+        let filter = if self.settings.samples == 1 { Filter::Box } else { self.settings.filter };
+        let weights = Weights::new(filter);
         let mut estimates = Vec::new();
-        let rows = (SHINING / samples.len().max(1)).max(1);
+        let at_once = (SHINING / samples.len().max(1)).max(1);
         let started = self.watch.seconds();
-        for (pixels, sums) in pixels.chunks(rows).zip(sums.chunks_mut(rows)) {
+        for pixels in pixels.chunks(at_once) {
             for samples in chunks(samples.clone(), SHINING) {
                 let each = pixels.iter().flat_map(|&pixel| samples.clone().map(move |sample| (pixel, sample)));
                 let each: Vec<((u32, u32), u32)> = each.collect();
                 estimator.estimate(&mut self.tracer, &each, &mut estimates);
                 let mut canvas = lock(self.canvas);
-                estimator.shown(|pixel, light| canvas.add_shown(pixel, light));
-                drop(canvas);
-                for (sum, estimates) in sums.iter_mut().zip(estimates.chunks(samples.len())) {
-                    for estimate in estimates {
-                        let light = estimate.light * estimate.sign;
-                        let more = [light.x, light.y, light.z, estimate.sign];
-                        sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
-                    }
-                }
+                canvas.add_light(&estimates, &weights);
+                canvas.add_shown(estimator.shown(), &weights);
             }
         }
         self.trace_seconds += self.watch.seconds() - started;
-        lock(self.canvas).put_light(tile, &sums);
         self.estimator = Some(estimator);
     }
 

@@ -111,6 +111,27 @@ fn dives(classify: Classify, mut queue: BinaryHeap<Ranked>, width: f64, key: &dy
     keys.into_iter().reduce(f64::max)
 }
 
+/// Boxes that may hold a surface are halved until there are so many: enough for a ball around a torus that is a twentieth too large.
+const BALL_CELLS: usize = 1024;
+
+/// How often they are halved at most: a point is held by one box, however small.
+const BALL_DEPTH: u32 = 24;
+
+/// A ball, by its middle and its radius, around all of the box from `min` to `max` that may hold a surface; `None` if nothing may.
+pub(super) fn ball_around(classify: Classify, min: DVec3, max: DVec3) -> Option<(DVec3, f64)> {
+    let mut cubes = vec![Cube { min, max }];
+    let mut depth = 0;
+    while cubes.len() <= BALL_CELLS && depth < BALL_DEPTH {
+        let children = cubes.iter().flat_map(Cube::children);
+        cubes = children.filter(|cube| classify(cube.min, cube.max) == Cell::Possible).collect();
+        depth += 1;
+    }
+    let (min, max) = cubes.iter().map(|cube| (cube.min, cube.max)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    let center = (min + max) * 0.5;
+    let radius = cubes.iter().map(|cube| cube.farthest(center)).reduce(f64::max)?;
+    Some((center, radius))
+}
+
 /// The key of a smallest box in the cube that may hold a surface, largest keys first.
 fn dive(classify: Classify, cube: Cube, width: f64, key: &dyn Fn(&Cube) -> f64, cells_left: &mut u32) -> Option<f64> {
     if *cells_left == 0 {
@@ -164,3 +185,24 @@ impl PartialEq for Ranked {
 }
 
 impl Eq for Ranked {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether a sphere of radius 1/4 around (1, 1, 1) can meet the box.
+    fn small_sphere(min: DVec3, max: DVec3) -> Cell {
+        let at = DVec3::ONE;
+        let (near, far) = (at.clamp(min, max).distance(at), Cube { min, max }.farthest(at));
+        if near <= 0.25 && far >= 0.25 { Cell::Possible } else { Cell::Empty }
+    }
+
+    #[test]
+    fn a_ball_around_a_small_thing_is_small_and_holds_it() {
+        let (low, high) = (DVec3::splat(-5.0), DVec3::splat(4.0));
+        let (center, radius) = ball_around(&small_sphere, low, high).unwrap();
+        assert!(center.distance(DVec3::ONE) + 0.25 <= radius, "{center} {radius}");
+        assert!(radius < 0.3, "{center} {radius}");
+        assert_eq!(ball_around(&small_sphere, low, DVec3::ZERO), None);
+    }
+}

@@ -66,3 +66,19 @@ pub struct Scene {
     /// How far from there it reaches.
     pub radius: f64,
 }
+
+impl Scene {
+    /// Draws the balls closer around surfaces that glow: light is sought all over them. `classify` says of a surface what is proven of a
+    /// box; it need not know the balls.
+    pub fn tighten(&mut self, classify: impl Fn(usize, DVec3, DVec3) -> cells::Cell) {
+        let glowing = (0..self.materials.len()).filter(|&surface| self.materials[surface].is_glowing());
+        for surface in glowing {
+            let (center, radius) = self.bounds[surface];
+            let whole = [center - DVec3::splat(radius), center + DVec3::splat(radius)];
+            let closer = cells::ball_around(&|min, max| classify(surface, min, max), whole[0], whole[1]);
+            if let Some(ball) = closer.filter(|ball| ball.1 < radius) {
+                self.bounds[surface] = ball;
+            }
+        }
+    }
+}

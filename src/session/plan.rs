@@ -152,6 +152,7 @@ impl Plan {
         paint(&mut scene, &mut program.lowered, &objects, &smallest(&region), settings.mode, wishes.simd);
         let formulas: Vec<&SurfaceFormula> = objects.iter().map(|object| &object.formula).collect();
         let mut notes = matter::furnish(&mut scene, &mut program.lowered, &formulas, wishes.simd);
+        scene.tighten(|surface, min, max| classify(&objects[surface], min, max));
         notes.extend(background_without_use(program, wishes, settings.mode));
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,

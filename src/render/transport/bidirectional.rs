@@ -127,6 +127,7 @@ fn seen<T: Trace>(world: &World<T>, path: &Path, flight: &Flight, met: &Met) -> 
             let (radiance, cosine) = world.lights.ball_radiance(emitter, &flight.ray, t);
             weighed(emitter, radiance, cosine)
         }
+        Met::Nothing if path.from.is_none() && world.hides_sky => DVec3::ZERO,
         Met::Nothing => world.lights.far(direction).map(|(emitter, radiance)| weighed(emitter, radiance, 1.0)).sum(),
     }
 }

@@ -4,6 +4,7 @@
 //! of them; rays that leave them ([`Lights::emit`]). Surfaces that glow are sought in the cone of a ball around them: what such a ray
 //! meets is what it sees, so that any shape can be sought.
 
+use super::balls::{self, Ball, Balls};
 use super::sky::SkyTable;
 use super::warp::{Frame, ON_SPHERE, by_cosine, cone_density, in_cone, on_disc, on_sphere};
 use crate::num::func::native;
@@ -105,8 +106,7 @@ pub struct Lights {
     pub list: Vec<Emitter>,
     /// The sum of the choices up to each.
     sums: Vec<f64>,
-    /// Where among them the balls are.
-    balls: Vec<usize>,
+    balls: Balls,
     /// What is seen where there is nothing: the sky and far discs.
     far: Vec<usize>,
     /// By surface, its emitter.
@@ -148,7 +148,11 @@ impl Lights {
             *last = 1.0;
         }
         let of_kind = |kind: fn(&Emitter) -> bool| (0..list.len()).filter(|&k| kind(&list[k])).collect();
-        let balls = of_kind(|emitter| matches!(emitter, Emitter::Ball { .. }));
+        let balls = list.iter().enumerate().filter_map(|(emitter, kind)| match *kind {
+            Emitter::Ball { center, radius, .. } => Some(Ball { emitter, center, radius }),
+            _ => None,
+        });
+        let balls = Balls::new(balls.collect());
         let far = of_kind(|emitter| matches!(emitter, Emitter::Disc { .. } | Emitter::Sky(_)));
         Lights { list, sums, balls, far, of_surface, center, radius }
     }
@@ -165,17 +169,7 @@ impl Lights {
 
     /// The first ball that a ray meets before `end`: the distance and the emitter. From inside, a ball is dark and still hides.
     pub fn first_ball(&self, ray: &Ray, end: f64) -> Option<(f64, usize)> {
-        let mut first = None;
-        let mut end = end;
-        for &k in &self.balls {
-            let Emitter::Ball { center, radius, .. } = self.list[k] else { continue };
-            if let Some(t) = meet_ball(ray, center, radius)
-                && t < end
-            {
-                (end, first) = (t, Some((t, k)));
-            }
-        }
-        first
+        self.balls.first(ray, end)
     }
 
     /// The radiance of a ball towards a ray that meets it, and the cosine there.
@@ -235,7 +229,7 @@ impl Lights {
                 let (direction, pdf) = toward_ball(from, *center, *radius, u)?;
                 let ray = Ray::new(from, direction);
                 // A ray of the cone's very edge may miss the ball by rounding; it is as good as one that touches it.
-                let distance = meet_ball(&ray, *center, *radius).unwrap_or((*center - from).dot(direction));
+                let distance = balls::meet(&ray, *center, *radius).unwrap_or((*center - from).dot(direction));
                 let cosine = (-(ray.at(distance) - *center).dot(direction) / *radius).clamp(0.0, 1.0);
                 let area = 4.0 * PI * radius * radius;
                 Toward {
@@ -389,28 +383,6 @@ fn far_radiance(emitter: &Emitter, d: DVec3) -> DVec3 {
     }
 }
 
-/// The first distance > 0 at which a ray is on a sphere.
-fn meet_ball(ray: &Ray, center: DVec3, radius: f64) -> Option<f64> {
-    let to = center - ray.origin;
-    let middle = to.dot(ray.direction);
-    let off = to - ray.direction * middle;
-    let half = radius * radius - off.length_squared();
-    if half < 0.0 {
-        return None;
-    }
-    let half = half.sqrt();
-    // From the sphere itself a ray goes out or in, and does not meet it where it starts.
-    if to.length_squared() > radius * radius * (1.0 - ON_BALL)
-        && to.length_squared() < radius * radius * (1.0 + ON_BALL)
-    {
-        return (middle > half * ON_BALL).then_some(middle + half).filter(|&t| t > radius * ON_BALL);
-    }
-    [middle - half, middle + half].into_iter().find(|&t| t > 0.0)
-}
-
-/// A point whose squared distance is this near to the squared radius is on the sphere: what a ray that leaves it starts from.
-const ON_BALL: f64 = 1e-12;
-
 /// 1 − the cosine of half the angle that a ball is seen under; `None` from inside.
 fn cap_of_ball(from: DVec3, center: DVec3, radius: f64) -> Option<f64> {
     let squared = radius * radius / (center - from).length_squared();
@@ -432,7 +404,15 @@ mod tests {
 
     fn lights(emitter: Emitter) -> Lights {
         let (list, sums) = (vec![emitter], vec![1.0]);
-        Lights { list, sums, balls: Vec::new(), far: vec![0], of_surface: Vec::new(), center: DVec3::ZERO, radius: 5.0 }
+        Lights {
+            list,
+            sums,
+            balls: Balls::default(),
+            far: vec![0],
+            of_surface: Vec::new(),
+            center: DVec3::ZERO,
+            radius: 5.0,
+        }
     }
 
     /// Light sought from the middle of a small square of the floor, and light sent that meets the square, are the same irradiance.

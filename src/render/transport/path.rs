@@ -37,6 +37,7 @@ struct Path {
     pdf: f64,
     /// Where it left the last surface.
     from: DVec3,
+    is_from_eye: bool,
 }
 
 /// A ray towards an emitter.
@@ -84,65 +85,90 @@ impl Goal {
     }
 }
 
+/// Paths with their flights, in the same order.
+#[derive(Default)]
+struct Travel {
+    paths: Vec<Path>,
+    flights: Vec<Flight>,
+}
+
+/// Room for batches of paths, used again and again.
+#[derive(Default)]
+pub struct PathRoom {
+    now: Travel,
+    on: Travel,
+    met: Vec<Met>,
+    found: Vec<Vertex>,
+    shadows: Vec<Shadow>,
+    rays: Vec<Flight>,
+}
+
 /// The radiance that arrives along each flight, in `light`, which is replaced.
-pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, light: &mut Vec<DVec3>) {
+pub fn radiance<T: Trace>(
+    world: &mut World<T>,
+    eye: &[Flight],
+    bounces: u32,
+    room: &mut PathRoom,
+    light: &mut Vec<DVec3>,
+) {
     light.clear();
     light.resize(eye.len(), DVec3::ZERO);
-    let mut flights = eye.to_vec();
     let start = |(place, flight): (usize, &Flight)| Path {
         place,
         throughput: DVec3::ONE,
         pdf: f64::INFINITY,
         from: flight.ray.origin,
+        is_from_eye: true,
     };
-    let mut paths: Vec<Path> = eye.iter().enumerate().map(start).collect();
-    let (mut met, mut found) = (Vec::new(), Vec::new());
+    room.now.paths.clear();
+    room.now.paths.extend(eye.iter().enumerate().map(start));
+    room.now.flights.clear();
+    room.now.flights.extend_from_slice(eye);
     for event in 0..=bounces {
         let from = if event == 0 { From::Eye } else { From::Elsewhere };
-        world.fly(&mut flights, from, &mut met);
-        for ((path, flight), met) in paths.iter_mut().zip(&flights).zip(&met) {
+        let Travel { paths, flights } = &mut room.now;
+        world.fly(flights, from, &mut room.met);
+        for ((path, flight), met) in paths.iter_mut().zip(&*flights).zip(&room.met) {
             path.throughput *= flight.left;
             light[path.place] += path.throughput * seen(world, path, flight, met);
         }
-        vertices(world, &flights, &met, &mut found);
-        for vertex in found.iter().filter(|vertex| vertex.emission != DVec3::ZERO) {
+        vertices(world, flights, &room.met, &mut room.found);
+        for vertex in room.found.iter().filter(|vertex| vertex.emission != DVec3::ZERO) {
             let path = &paths[vertex.path];
             let emitter = world.lights.of_surface(vertex.hit.surface);
             let other = emitter.map_or(0.0, |k| world.lights.pdf_toward(k, path.from, vertex.ray.direction));
             light[path.place] += path.throughput * vertex.emission * share(path.pdf, other);
         }
-        if event == bounces || found.is_empty() {
+        if event == bounces || room.found.is_empty() {
             return;
         }
         let first = FIRST_DIMENSION + event * DIMENSIONS;
-        seek(world, &paths, &found, &flights, first, light);
-        (paths, flights) = scatter(&paths, &found, &flights, first, event);
+        seek(world, room, first, light);
+        scatter(room, first, event);
+        std::mem::swap(&mut room.now, &mut room.on);
     }
 }
 
 /// The light of balls and of what is far that a flight met.
 fn seen<T: Trace>(world: &World<T>, path: &Path, flight: &Flight, met: &Met) -> DVec3 {
     let direction = flight.ray.direction;
+    let is_from_eye = path.is_from_eye;
     let weighed = |(emitter, radiance): (usize, DVec3)| {
         radiance * share(path.pdf, world.lights.pdf_toward(emitter, path.from, direction))
     };
     match *met {
         Met::Surface(..) => DVec3::ZERO,
         Met::Ball(emitter, t) => weighed((emitter, world.lights.ball_radiance(emitter, &flight.ray, t).0)),
+        Met::Nothing if is_from_eye && world.hides_sky => DVec3::ZERO,
         Met::Nothing => world.lights.far(direction).map(weighed).sum(),
     }
 }
 
 /// Seeks light at every vertex by a ray towards some emitter.
-fn seek<T: Trace>(
-    world: &mut World<T>,
-    paths: &[Path],
-    found: &[Vertex],
-    flights: &[Flight],
-    first: u32,
-    light: &mut [DVec3],
-) {
-    let (mut shadows, mut rays) = (Vec::new(), Vec::new());
+fn seek<T: Trace>(world: &mut World<T>, room: &mut PathRoom, first: u32, light: &mut [DVec3]) {
+    let PathRoom { now: Travel { paths, flights }, found, shadows, rays, met, .. } = room;
+    shadows.clear();
+    rays.clear();
     for vertex in found.iter().filter(|vertex| !vertex.bsdf.is_specular()) {
         let (path, numbers) = (&paths[vertex.path], flights[vertex.path].numbers);
         let sought = world.lights.toward(vertex.point, numbers.at(first), numbers.at(first + 1));
@@ -161,15 +187,20 @@ fn seek<T: Trace>(
         let ray = vertex.leave(wi, toward.direction, toward.distance * SHORT_OF_TARGET, numbers);
         rays.push(Flight { passing: goal.passing(), ..ray });
     }
-    arrive(world, &shadows, &mut rays, |place, arriving| light[place] += arriving);
+    world.fly(rays, From::Elsewhere, met);
+    arrive(world, shadows, rays, met, |place, arriving| light[place] += arriving);
 }
 
-/// Traces rays towards emitters, and hands over what arrives.
-fn arrive<T: Trace>(world: &mut World<T>, shadows: &[Shadow], rays: &mut [Flight], mut take: impl FnMut(usize, DVec3)) {
-    let mut met = Vec::new();
-    world.fly(rays, From::Elsewhere, &mut met);
+/// Hands over what arrives by rays towards emitters, by what they met.
+fn arrive<T: Trace>(
+    world: &World<T>,
+    shadows: &[Shadow],
+    rays: &[Flight],
+    met: &[Met],
+    mut take: impl FnMut(usize, DVec3),
+) {
     let mut glowing = Vec::new();
-    for (k, (shadow, met)) in shadows.iter().zip(&met).enumerate() {
+    for (k, (shadow, met)) in shadows.iter().zip(met).enumerate() {
         match *met {
             _ if !shadow.goal.is_found(met) => {}
             Met::Surface(hit, _) => glowing.push((k, hit)),
@@ -184,10 +215,12 @@ fn arrive<T: Trace>(world: &mut World<T>, shadows: &[Shadow], rays: &mut [Flight
     }
 }
 
-/// Goes on from every vertex as its surface scatters.
-fn scatter(paths: &[Path], found: &[Vertex], flights: &[Flight], first: u32, event: u32) -> (Vec<Path>, Vec<Flight>) {
-    let (mut on, mut flying) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
-    for vertex in found {
+/// Goes on from every vertex as its surface scatters, into `on`.
+fn scatter(room: &mut PathRoom, first: u32, event: u32) {
+    let PathRoom { now: Travel { paths, flights }, on, found, .. } = room;
+    on.paths.clear();
+    on.flights.clear();
+    for vertex in &*found {
         let (path, numbers) = (&paths[vertex.path], flights[vertex.path].numbers);
         let ([u, v], [w, chance]) = (numbers.at(first + 2), numbers.at(first + 3));
         let Some(sample) = vertex.bsdf.sample(vertex.wo, [u, v, w], Transport::Radiance) else { continue };
@@ -204,10 +237,9 @@ fn scatter(paths: &[Path], found: &[Vertex], flights: &[Flight], first: u32, eve
         }
         let direction = vertex.frame.world_from_local(sample.wi).normalize();
         let pdf = if sample.is_specular { f64::INFINITY } else { sample.pdf };
-        on.push(Path { place: path.place, throughput, pdf, from: vertex.point });
-        flying.push(vertex.leave(sample.wi, direction, f64::INFINITY, numbers));
+        on.paths.push(Path { place: path.place, throughput, pdf, from: vertex.point, is_from_eye: false });
+        on.flights.push(vertex.leave(sample.wi, direction, f64::INFINITY, numbers));
     }
-    (on, flying)
 }
 
 /// The share of a way of this density where another way finds the same with the other density.

@@ -85,35 +85,51 @@ impl Vertex {
     }
 }
 
+/// Room for batches of vertices, used again and again.
+#[derive(Debug, Default)]
+pub struct Arrivals {
+    surfaces: Vec<(usize, Hit, Option<Boundary>)>,
+    places: Vec<(u32, DVec3)>,
+    matter: Vec<Matter>,
+    departures: Vec<(Ray, Hit, Side)>,
+    points: Vec<DVec3>,
+}
+
+impl Arrivals {
+    fn clear(&mut self) {
+        self.surfaces.clear();
+        self.places.clear();
+        self.departures.clear();
+    }
+}
+
 /// The vertices at the surfaces that flights met, in their order; a vertex's `path` is the flight's place in the batch.
 pub fn vertices<T: Trace>(world: &mut World<T>, flights: &[Flight], met: &[Met], out: &mut Vec<Vertex>) {
-    let surfaces: Vec<(usize, Hit, Option<Boundary>)> = met
-        .iter()
-        .enumerate()
-        .filter_map(|(k, met)| match *met {
-            Met::Surface(hit, boundary) if flights[k].left != DVec3::ZERO => Some((k, hit, boundary)),
-            _ => None,
-        })
-        .collect();
-    let places: Vec<(u32, DVec3)> =
-        surfaces.iter().map(|(k, hit, _)| (hit.surface, flights[*k].ray.at(hit.t))).collect();
-    let mut matter = Vec::new();
-    world.matter(&places, &mut matter);
-    let both = |(k, hit, boundary): &(usize, Hit, Option<Boundary>)| {
+    let mut room = std::mem::take(&mut world.room.arrivals);
+    room.clear();
+    for (k, met) in met.iter().enumerate() {
+        let (Met::Surface(hit, boundary), Flight { ray, left, .. }) = (*met, flights[k]) else { continue };
+        if left == DVec3::ZERO {
+            continue;
+        }
+        room.surfaces.push((k, hit, boundary));
+        room.places.push((hit.surface, ray.at(hit.t)));
+        room.departures.push((ray, hit, Side::Near));
         // Nothing goes through what is not clear.
-        let far = boundary.is_some().then_some((flights[*k].ray, *hit, Side::Far));
-        std::iter::once((flights[*k].ray, *hit, Side::Near)).chain(far)
-    };
-    let departures: Vec<(Ray, Hit, Side)> = surfaces.iter().flat_map(both).collect();
-    let mut points = Vec::new();
-    world.tracer.starts(&departures, &mut points);
-    let mut points = points.into_iter();
+        if boundary.is_some() {
+            room.departures.push((ray, hit, Side::Far));
+        }
+    }
+    world.matter(&room.places, &mut room.matter);
+    world.tracer.starts(&room.departures, &mut room.points);
+    let mut points = room.points.iter().copied();
     out.clear();
-    for ((&(k, hit, boundary), place), matter) in surfaces.iter().zip(&places).zip(&matter) {
+    for ((&(k, hit, boundary), place), matter) in room.surfaces.iter().zip(&room.places).zip(&room.matter) {
         let near = points.next().unwrap_or(place.1);
         let far = if boundary.is_some() { points.next().unwrap_or(place.1) } else { near };
         out.push(vertex(world, k, &flights[k], (hit, boundary), place.1, matter, [near, far]));
     }
+    world.room.arrivals = room;
 }
 
 fn vertex<T: Trace>(

@@ -42,7 +42,7 @@ pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, li
         world.fly(&mut flights, from, &mut met);
         for (((place, share), flight), met) in shares.iter_mut().zip(&flights).zip(&met) {
             *share *= flight.left;
-            light[*place] += *share * seen(world.lights, flight, met);
+            light[*place] += *share * seen(world.lights, flight, met, event == 0 && world.hides_sky);
         }
         vertices(world, &flights, &met, &mut found);
         for vertex in &found {
@@ -69,10 +69,11 @@ pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, li
     }
 }
 
-fn seen(lights: &Lights, flight: &Flight, met: &Met) -> DVec3 {
+fn seen(lights: &Lights, flight: &Flight, met: &Met, hides_sky: bool) -> DVec3 {
     match *met {
         Met::Surface(..) => DVec3::ZERO,
         Met::Ball(emitter, t) => lights.ball_radiance(emitter, &flight.ray, t).0,
+        Met::Nothing if hides_sky => DVec3::ZERO,
         Met::Nothing => lights.far(flight.ray.direction).map(|(_, radiance)| radiance).sum(),
     }
 }

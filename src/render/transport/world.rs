@@ -6,6 +6,7 @@
 use super::lights::Lights;
 use super::media::{Boundary, Media, Solids, transmittance};
 use super::sobol;
+use super::vertex::Arrivals;
 use crate::render::trace::Trace;
 use crate::scene::{Material, Scene};
 use crate::surface::{Hit, Ray, Shape, Side};
@@ -112,6 +113,8 @@ pub struct World<'a, T> {
     pub lights: &'a Lights,
     /// What is clear.
     pub solids: &'a Solids,
+    /// Whether the surroundings are not seen where the eye sees nothing else.
+    pub hides_sky: bool,
     /// Who traces.
     pub tracer: &'a mut T,
     /// Room.
@@ -129,6 +132,16 @@ pub struct Room {
     passing: Vec<(usize, Hit)>,
     departures: Vec<(Ray, Hit, Side)>,
     points: Vec<DVec3>,
+    /// Of the vertices.
+    pub(super) arrivals: Arrivals,
+    covered: Vec<bool>,
+}
+
+impl Room {
+    /// Of the last flights from the eye, which met anything.
+    pub fn covered(&self) -> &[bool] {
+        &self.covered
+    }
 }
 
 impl<T: Trace> World<'_, T> {
@@ -137,6 +150,7 @@ impl<T: Trace> World<'_, T> {
         met.clear();
         met.resize(flights.len(), Met::Nothing);
         let mut room = std::mem::take(self.room);
+        let is_from_eye = from == From::Eye;
         let mut from = from;
         room.open.clear();
         room.open.extend(0..flights.len());
@@ -151,6 +165,10 @@ impl<T: Trace> World<'_, T> {
             self.sort(flights, &mut room, met);
             self.pass_by_opacity(flights, &mut room);
             self.go_on(flights, &mut room);
+        }
+        if is_from_eye {
+            room.covered.clear();
+            room.covered.extend(met.iter().map(|met| !matches!(met, Met::Nothing)));
         }
         *self.room = room;
     }

@@ -27,7 +27,7 @@ use std::f64::consts::FRAC_1_PI;
 
 /// Below this width α of the slopes, that is below roughness 0.0316, a surface is as good as smooth: its lobe is narrower than a
 /// fifth of the sun (Pharr, Jakob and Humphreys 2023, "Physically Based Rendering", section 9.6.1).
-const SMOOTH_ALPHA: f64 = 1e-3;
+pub const SMOOTH_ALPHA: f64 = 1e-3;
 
 /// What is carried along a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
