@@ -4,9 +4,13 @@
 //! In: the program, `examples`, `README.md`. Out: passed or failed.
 
 use super::command::{Folder, PROGRAM, exr_channel};
+use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+
+/// The bytes of a picture of the gallery's page, at most: a page that is looked at over a slow line has twelve.
+const LARGEST_PICTURE_OF_PAGE: u64 = 60 * 1024;
 
 type Vector = [f64; 3];
 
@@ -202,11 +206,35 @@ fn every_formula_file_draws() {
     let files: Vec<_> = files.into_iter().filter(|file| file.extension().is_some_and(|e| e == "imp")).collect();
     assert!(files.len() >= 10);
     for file in files {
-        let args = [file.as_os_str(), "-s".as_ref(), "32x32".as_ref(), "-o".as_ref(), "a.png".as_ref()];
-        let said = folder.run(&[&args[..], &["--stats-json".as_ref(), "s.json".as_ref()]].concat());
+        let options = ["-s", "32x32", "--samples", "2", "-o", "a.png", "--stats-json", "s.json"].map(OsStr::new);
+        let said = folder.run(&[&[file.as_os_str()][..], &options].concat());
         assert_eq!(said.status, 0, "{}: {}", file.display(), said.err);
+        assert!(!said.err.contains("warning"), "{}: {}", file.display(), said.err);
         let stats: serde_json::Value = serde_json::from_slice(&folder.read("s.json")).unwrap();
         assert!(stats["misses"].as_u64().unwrap() < 32 * 32 * 9 / 10, "{} shows next to nothing", file.display());
+    }
+}
+
+#[test]
+fn the_page_of_the_gallery_shows_every_scene_with_its_program_as_it_is() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(root.join("docs/gallery.md")).unwrap();
+    let scenes: Vec<&str> = page.split("\n## ").skip(1).collect();
+    assert_eq!(scenes.len(), 12);
+    for scene in scenes {
+        let between = |before: &str, after: &str| {
+            let (_, rest) = scene.split_once(before).unwrap_or_else(|| panic!("no {before} in {scene}"));
+            rest.split_once(after).unwrap_or_else(|| panic!("no {after} in {scene}")).0
+        };
+        let name = between("implicit examples/gallery/", ".imp");
+        let program = fs::read_to_string(root.join(format!("examples/gallery/{name}.imp"))).unwrap();
+        assert_eq!(between("```implicit\n", "```"), program, "{name}");
+        let picture = fs::metadata(root.join("docs").join(between("](", ")"))).unwrap();
+        assert!(
+            between("](", ")").contains(name) && picture.len() <= LARGEST_PICTURE_OF_PAGE,
+            "{name}: {}",
+            picture.len()
+        );
     }
 }
 
@@ -229,7 +257,7 @@ fn the_library_examples_run() {
 #[test]
 fn the_commands_of_the_documents_run() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for (document, least) in [("README.md", 15), ("docs/tasks.md", 12)] {
+    for (document, least) in [("README.md", 15), ("docs/tasks.md", 12), ("docs/gallery.md", 12)] {
         let folder = Folder::new();
         let text = fs::read_to_string(root.join(document)).unwrap();
         let mut count = 0;
@@ -244,8 +272,9 @@ fn the_commands_of_the_documents_run() {
             };
             let rest = rest.replace("examples/", &format!("{}/examples/", root.display()));
             let small = if rest.contains("-o ") && !rest.contains("--size") { "-s 32x24" } else { "" };
+            let few = if document == "docs/gallery.md" { "--samples 2" } else { "" };
             let output = Command::new("sh")
-                .args(["-c", &format!("'{PROGRAM}' {rest} {small}")])
+                .args(["-c", &format!("'{PROGRAM}' {rest} {small} {few}")])
                 .current_dir(&folder.path)
                 .output()
                 .unwrap();
