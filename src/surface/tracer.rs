@@ -13,7 +13,7 @@ use super::march::Marcher;
 use super::memory::Memory;
 use super::refine::{Batch, Refined};
 use super::screen::{Rectangle, Screen};
-use super::sheet::Surface;
+use super::sheet::{POINTS, Surface};
 use super::start::{self, Side};
 use super::stream::Stream;
 use super::tile::{Settled, Walk};
@@ -171,9 +171,10 @@ impl<'a> Tracer<'a> {
             for axis in 0..3 {
                 registers[axis].0 = [point[axis]; POINTS];
             }
-            sheet.kernels.point.run(registers);
+            let kernel = sheet.kernels.whole().point();
+            kernel.run(registers);
             self.counts.points += 1;
-            let g = sheet.kernels.point.output(registers, 0).0[0];
+            let g = kernel.output(registers, 0).0[0];
             if g.is_nan() || g == 0.0 {
                 return None;
             }
