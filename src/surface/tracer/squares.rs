@@ -175,11 +175,11 @@ impl Tracer<'_> {
         let (gradient, cells) = (&mut registers.gradient, &mut registers.cells.value);
         let mut tools = Tools { formula, gradient, cells, size, simd, evaluations: 0, enclosures: 0 };
         let open = &mut self.open;
-        let mut found = |root: &Root| file(root, spans, open, job);
+        let mut found = |root: &Root, spans: &mut Spans| file(root, spans, open, job);
         for crossing in &settled.crossings {
-            stream.take(crossing, bundle, rectangle.width, &mut tools, &mut found);
+            stream.take(crossing, (bundle, spans, rectangle.width), &mut tools, &mut found);
         }
-        stream.run(&mut tools, &mut found);
+        stream.run(spans, &mut tools, &mut found);
         self.counts.gradients += tools.evaluations;
         self.counts.cells += tools.enclosures;
         for &Rest { place, a, step, cost } in &settled.rest {
