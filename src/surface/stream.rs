@@ -46,7 +46,7 @@ pub(crate) struct Root {
     pub(crate) b: f64,
     /// Enclosures so far.
     pub(crate) cost: u32,
-    /// The root.
+    /// The root; an end of the bracket, if it is proven to be beyond an end of the ray.
     pub(crate) t: f64,
     /// How far the true one can be from it; NaN if that could not be told.
     pub(crate) width: f64,
@@ -67,6 +67,10 @@ pub(crate) struct Stream {
     b: [f64; POINTS],
     t: [f64; POINTS],
     steepness: [f64; POINTS],
+    /// The sign of g in front of the root.
+    front: [f64; POINTS],
+    /// Whether t is not where the root may be, but the ray's end, which is likely in front of it (1), or its beginning (−1).
+    beyond: [f64; POINTS],
     /// What the second derivative of g along the ray is about.
     curvature: [f64; POINTS],
     /// The last step's length, 0 for a ray that is done; infinite before the first.
@@ -96,6 +100,8 @@ impl Default for Stream {
             b: zero,
             t: zero,
             steepness: zero,
+            front: zero,
+            beyond: zero,
             curvature: zero,
             moved: zero,
             scale: zero,
@@ -135,7 +141,7 @@ impl Stream {
     ) {
         let place = crossing.place;
         for row in 0..place.height {
-            if self.count + place.width as usize > POINTS {
+            while self.count + place.width as usize > POINTS {
                 self.run(spans, tools, found);
             }
             let first = ((place.top + row) * width + place.left) as usize;
@@ -145,7 +151,7 @@ impl Stream {
             };
             while let Some(start) = rays.find(|i| !ends(i)) {
                 let end = rays.find(ends).unwrap_or(rays.end);
-                self.take_row(crossing, row, first, start..end, bundle, tools.simd);
+                self.take_row(crossing, (row, first), start..end, (bundle, spans), tools.simd);
             }
         }
     }
@@ -154,10 +160,9 @@ impl Stream {
     fn take_row(
         &mut self,
         crossing: &Crossing,
-        row: u32,
-        first: usize,
+        (row, first): (u32, usize),
         rays: Range<usize>,
-        bundle: &Bundle,
+        (bundle, spans): (&Bundle, &Spans),
         simd: Simd,
     ) {
         let (start, end) = (self.count, self.count + rays.len());
@@ -166,7 +171,8 @@ impl Stream {
             self.direction[axis][start..end].copy_from_slice(&bundle.direction[axis][rays.clone()]);
         }
         let column = (rays.start - first) as f64;
-        guess(simd, self, crossing, [column, f64::from(row)], &bundle.length[rays.clone()]);
+        let [length, near, far] = [&bundle.length, &spans.near, &spans.far].map(|all| &all[rays.clone()]);
+        guess(simd, self, crossing, [column, f64::from(row)], length, [near, far]);
         for (slot, ray) in self.ray[start..end].iter_mut().zip(rays) {
             *slot = ray;
         }
@@ -179,7 +185,7 @@ impl Stream {
         let count = std::mem::take(&mut self.count);
         for i in 0..POINTS {
             self.scale[i] = tools.size.max(self.t[i]);
-            self.moved[i] = if i < count { f64::INFINITY } else { 0.0 };
+            self.moved[i] = if i < count && self.beyond[i] == 0.0 { f64::INFINITY } else { 0.0 };
         }
         for _ in 0..MOST_STEPS {
             let live = (0..count).filter(|&i| self.moved[i] > 0.0).count();
@@ -198,9 +204,16 @@ impl Stream {
         }
     }
 
-    /// Encloses g where Newton's method ended.
+    /// Finds the roots of all rays that wait, and of those that wait once more.
+    pub(crate) fn finish(&mut self, spans: &mut Spans, tools: &mut Tools, found: &mut impl FnMut(&Root, &mut Spans)) {
+        while self.count > 0 {
+            self.run(spans, tools, found);
+        }
+    }
+
+    /// Encloses g where Newton's method ended, or where the ray does. Rays that were wrongly thought to end before their root wait again.
     fn certify(
-        &self,
+        &mut self,
         (spans, tools): (&mut Spans, &mut Tools),
         first: usize,
         count: usize,
@@ -216,41 +229,66 @@ impl Stream {
         let g = tools.formula.value().output(tools.cells, 0);
         for k in 0..CELLS.min(count - first) {
             let i = first + k;
-            let far = g.hi[k].max(-g.lo[k]) / self.steepness[i];
-            let width = WIDTH * tools.size.max(t[k]);
-            let known = g.flags[k] & PARTIAL == 0 && far <= width && self.moved[i] == 0.0;
-            let root = Root {
-                ray: self.ray[i],
-                a: self.a[i],
-                b: self.b[i],
-                cost: self.cost[i],
-                t: t[k],
-                width: if known { width } else { f64::NAN },
-                normal: DVec3::new(self.gradient[0][i], self.gradient[1][i], self.gradient[2][i]),
-                flipped: self.flipped[i] > 0.0,
+            let is_whole = g.flags[k] & PARTIAL == 0;
+            let (a, b) = (self.a[i], self.b[i]);
+            let (t, width) = if self.beyond[i] == 0.0 {
+                let far = g.hi[k].max(-g.lo[k]) / self.steepness[i];
+                let width = WIDTH * tools.size.max(t[k]);
+                let known = is_whole && far <= width && self.moved[i] == 0.0;
+                (t[k], if known { width } else { f64::NAN })
+            } else {
+                let sign = f64::from(i8::from(g.lo[k] > 0.0) - i8::from(g.hi[k] < 0.0));
+                if !(is_whole && sign == self.front[i] * self.beyond[i]) {
+                    self.wait_again(i);
+                    continue;
+                }
+                (if self.beyond[i] > 0.0 { b } else { a }, b - a)
             };
-            found(&root, spans);
+            let normal = DVec3::new(self.gradient[0][i], self.gradient[1][i], self.gradient[2][i]);
+            let (ray, cost, flipped) = (self.ray[i], self.cost[i], self.flipped[i] > 0.0);
+            found(&Root { ray, a, b, cost, t, width, normal, flipped }, spans);
         }
+    }
+
+    /// Lets ray i wait once more. Those that wait are before it, for it was taken out of as many places as it stands behind.
+    fn wait_again(&mut self, i: usize) {
+        let to = self.count;
+        (self.ray[to], self.cost[to]) = (self.ray[i], self.cost[i]);
+        let Stream { a, b, t, steepness, front, curvature, origin, direction, .. } = self;
+        for all in [a, b, t, steepness, front, curvature].into_iter().chain(origin).chain(direction) {
+            all[to] = all[i];
+        }
+        self.beyond[to] = 0.0;
+        self.count += 1;
     }
 }
 
 for_each_level! {
     /// Where the roots in a row of a crossing may be, from some column on.
-    fn guess[L](stream: &mut Stream, crossing: &Crossing, at: [f64; 2], length: &[f64]) {
+    fn guess[L](stream: &mut Stream, crossing: &Crossing, at: [f64; 2], length: &[f64], span: [&[f64]; 2]) {
         let start = stream.count;
-        let ([column, row], [depth, across, down]) = (at, crossing.depth);
+        let ([column, row], [near, far], [depth, across, down]) = (at, span, crossing.depth);
+        let (near, far) = (&near[..length.len()], &far[..length.len()]);
         let depth = depth + down * (row - 0.5 * f64::from(crossing.place.height - 1));
         let middle = 0.5 * f64::from(crossing.place.width - 1) - column;
         let end = start + length.len();
         let (a, b, t) = (&mut stream.a[start..end], &mut stream.b[start..end], &mut stream.t[start..end]);
         let (steepness, curvature) = (&mut stream.steepness[start..end], &mut stream.curvature[start..end]);
+        let (front, beyond) = (&mut stream.front[start..end], &mut stream.beyond[start..end]);
         for i in 0..length.len() {
             let long = length[i];
             a[i] = crossing.a * long * SHORTENED;
             b[i] = crossing.b * long * LENGTHENED;
             let likely = (depth + across * (i as f64 - middle)) * long;
             let inside = (likely > a[i]) & (likely < b[i]);
-            t[i] = if inside { likely } else { 0.5 * (a[i] + b[i]) };
+            let likely = if inside { likely } else { 0.5 * (a[i] + b[i]) };
+            let behind = likely > far[i];
+            let limit = if behind { far[i] } else { near[i] };
+            let is_beyond = (behind | (likely < near[i])) & (limit > a[i] * LENGTHENED) & (limit < b[i] * SHORTENED);
+            t[i] = if is_beyond { limit } else { likely };
+            let side = if behind { 1.0 } else { -1.0 };
+            beyond[i] = if is_beyond { side } else { 0.0 };
+            front[i] = crossing.front;
             steepness[i] = crossing.steepness / long * SHORTENED;
             curvature[i] = crossing.curvature / (long * long);
         }

@@ -76,6 +76,8 @@ pub(crate) struct Crossing {
     pub(crate) b: f64,
     /// The least |dg/ds|, s the depth.
     pub(crate) steepness: f64,
+    /// The sign of g in front of the root.
+    pub(crate) front: f64,
     /// What d²g/ds² is about.
     pub(crate) curvature: f64,
     /// The root's depth in the middle of the square, and what a pixel across and down adds to it.
@@ -361,6 +363,7 @@ impl Square {
             per * g.slope[1][lane] * per_pixel(1, place.height),
         ];
         let (lo, hi) = slope.bounds(lane);
-        Crossing { place, a, b, steepness: lo.max(-hi), curvature: slope.slope[2][lane] / half, depth, cost }
+        let (steepness, front) = (lo.max(-hi), if lo > 0.0 { -1.0 } else { 1.0 });
+        Crossing { place, a, b, steepness, front, curvature: slope.slope[2][lane] / half, depth, cost }
     }
 }

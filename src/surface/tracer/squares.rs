@@ -179,7 +179,7 @@ impl Tracer<'_> {
         for crossing in &settled.crossings {
             stream.take(crossing, (bundle, spans, rectangle.width), &mut tools, &mut found);
         }
-        stream.run(spans, &mut tools, &mut found);
+        stream.finish(spans, &mut tools, &mut found);
         self.counts.gradients += tools.evaluations;
         self.counts.cells += tools.enclosures;
         for &Rest { place, a, step, cost } in &settled.rest {
