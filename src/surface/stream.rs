@@ -183,20 +183,16 @@ impl Stream {
     /// Finds the roots of all rays that wait.
     pub(crate) fn run(&mut self, spans: &mut Spans, tools: &mut Tools, found: &mut impl FnMut(&Root, &mut Spans)) {
         let count = std::mem::take(&mut self.count);
-        for i in 0..POINTS {
-            self.scale[i] = tools.size.max(self.t[i]);
-            self.moved[i] = if i < count && self.beyond[i] == 0.0 { f64::INFINITY } else { 0.0 };
-        }
+        let mut live = begin(tools.simd, self, tools.size, count);
         for _ in 0..MOST_STEPS {
-            let live = (0..count).filter(|&i| self.moved[i] > 0.0).count();
             if live == 0 {
                 break;
             }
             points_at(tools.simd, &self.origin, &self.direction, &self.t, tools.gradient);
             tools.formula.gradient().run(tools.gradient);
-            tools.evaluations += live as u64;
+            tools.evaluations += live;
             let [g, x, y, z] = [0, 1, 2, 3].map(|k| &tools.formula.gradient().output(tools.gradient, k).0);
-            step(tools.simd, self, g, [x, y, z]);
+            live = step(tools.simd, self, g, [x, y, z]);
         }
         face(tools.simd, self);
         for first in (0..count).step_by(CELLS) {
@@ -296,10 +292,26 @@ for_each_level! {
 }
 
 for_each_level! {
-    /// One step in all rays that are not done: the first by Newton's method, the others by the cubic in g that has values and slopes
+    /// Makes the first rays ready to step, and says how many of them have to.
+    fn begin[L](stream: &mut Stream, size: f64, count: usize) -> u64 {
+        let mut live = 0;
+        for i in 0..POINTS {
+            let t = stream.t[i];
+            stream.scale[i] = if t > size { t } else { size };
+            let is_live = (i < count) & (stream.beyond[i] == 0.0);
+            stream.moved[i] = if is_live { f64::INFINITY } else { 0.0 };
+            live += u64::from(is_live);
+        }
+        live
+    }
+}
+
+for_each_level! {
+    /// One step in all rays that are not done, of which it says how many are left: the first by Newton's method, the others by the cubic in g that has values and slopes
     /// of t(g) at the last two points (inverse Hermite interpolation; Traub, Iterative Methods for the Solution of
     /// Equations, 1964, chapter 4). The gradient is carried on to where the step leads by what it changed over the step before.
-    fn step[L](stream: &mut Stream, g: &[f64; POINTS], gradient: [&[f64; POINTS]; 3]) {
+    fn step[L](stream: &mut Stream, g: &[f64; POINTS], gradient: [&[f64; POINTS]; 3]) -> u64 {
+        let mut left = 0;
         for i in 0..POINTS {
             let live = stream.moved[i] > 0.0;
             let first = stream.moved[i] == f64::INFINITY;
@@ -339,8 +351,11 @@ for_each_level! {
             stream.value[i] = g[i];
             stream.inverse[i] = inverse;
             let moved = if done { 0.0 } else { stride.abs() };
-            stream.moved[i] = if live { moved } else { 0.0 };
+            let moved = if live { moved } else { 0.0 };
+            stream.moved[i] = moved;
+            left += u64::from(moved > 0.0);
         }
+        left
     }
 }
 
