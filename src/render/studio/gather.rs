@@ -9,7 +9,7 @@ use super::glimpse::Light;
 use crate::render::integrator::{facing_normal, sides};
 use crate::scene::Scene;
 use crate::scene::studio::Studio;
-use crate::surface::{Hit, Ray};
+use crate::surface::{Hit, Ray, Side};
 use glam::DVec3;
 
 /// How far, in radii of the scene, a surface hides the sky by half: what is far leaves the shade open.
@@ -24,6 +24,8 @@ pub struct Scratch {
     rays: Vec<Ray>,
     hits: Vec<Hit>,
     key_counts: Vec<u8>,
+    departures: Vec<(Ray, Hit, Side)>,
+    starts: Vec<DVec3>,
 }
 
 /// A sample: its pixel and its number there.
@@ -40,9 +42,13 @@ pub fn gather<T: Trace>(
 ) {
     scratch.rays.clear();
     scratch.key_counts.clear();
-    for ((sample, ray), hit) in seen.0.iter().zip(seen.1).zip(seen.2).filter(|(_, hit)| hit.is_drawn()) {
+    scratch.departures.clear();
+    let drawn = || seen.0.iter().zip(seen.1).zip(seen.2).filter(|(_, hit)| hit.is_drawn());
+    scratch.departures.extend(drawn().map(|((_, ray), hit)| (*ray, *hit, Side::Near)));
+    tracer.starts(&scratch.departures, &mut scratch.starts);
+    for (((sample, ray), hit), &origin) in drawn().zip(&scratch.starts) {
         let before = scratch.rays.len();
-        let (origin, n) = (ray.at(hit.near), facing_normal(ray, hit));
+        let n = facing_normal(ray, hit);
         let pattern = pattern(sample.0, sample.1, sample.2);
         if n.dot(lights.key.direction) > -lights.key.sine {
             let toward = on_disc(pattern).map(|place| lights.key.toward(place));
