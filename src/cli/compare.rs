@@ -8,7 +8,7 @@ use super::complaint::Complaint;
 use super::output::Outputs;
 use super::{console, pages, programs, render};
 use crate::film::{Print, Size, Tone, png};
-use crate::render::Silent;
+use crate::render::{Mode, Silent};
 use crate::scene::View;
 use crate::session::{Method, Plan, Program, Wishes};
 use crate::teach::compare::{Comparison, Shot, Varied, compare};
@@ -23,6 +23,9 @@ const SHARES: [f64; 3] = [1.0 / 8.0, 1.0 / 32.0, 1.0 / 256.0];
 
 /// Numbers of samples that are compared, the most first.
 const SAMPLES: [u32; 4] = [64, 1, 4, 16];
+
+/// Numbers of scattering events that are compared, the most first.
+const BOUNCES: [u32; 6] = [16, 0, 1, 2, 4, 8];
 
 /// Compares.
 ///
@@ -53,11 +56,7 @@ pub fn build(args: &CompareArgs, program: &mut Program) -> Result<(Page, Value, 
     let size = args.scene.size.or_else(|| Size::new(SIZE.0, SIZE.1).ok());
     let wishes = Wishes { size, samples: Some(1), keep_depth: true, ..args.scene.wishes() };
     let (shots, varied) = match args.vary {
-        Some(VaryArg::Bounces) => {
-            return Err(Complaint::usage(
-                "--vary bounces needs the modes that follow light (whitted, path, light, bidirectional), which are not built yet",
-            ));
-        }
+        Some(VaryArg::Bounces) => (bounces(program, &wishes)?, Varied::Bounces),
         Some(VaryArg::Samples) => (samples(program, &wishes)?, Varied::Samples),
         Some(VaryArg::Objects) => (objects(program, &wishes)?, Varied::Objects),
         None => (steps(args, program, &wishes)?, Varied::Step),
@@ -93,6 +92,20 @@ fn steps(args: &CompareArgs, program: &mut Program, wishes: &Wishes) -> Result<V
         shots.push(shot(&marched, Some(step))?);
     }
     Ok(shots)
+}
+
+/// In the program's mode, if it follows light; else in the one that does so without noise.
+fn bounces(program: &mut Program, wishes: &Wishes) -> Result<Vec<Shot>, Complaint> {
+    let written = plan(program, wishes)?.settings.mode;
+    let mode = if written.follows_light() { written } else { Mode::Whitted };
+    // Noise would hide what is compared.
+    let samples = if mode.is_transport() { None } else { wishes.samples };
+    let draw = |count: u32| {
+        let bounces = Some(count);
+        let drawn = plan(program, &Wishes { mode: Some(mode), bounces, samples, ..wishes.clone() })?;
+        shot(&drawn, Some(f64::from(count)))
+    };
+    BOUNCES.into_iter().map(draw).collect()
 }
 
 fn samples(program: &mut Program, wishes: &Wishes) -> Result<Vec<Shot>, Complaint> {

@@ -2,14 +2,12 @@
 //!
 //! In: what the rays of a tile know, and what further samples add. Out: the drawing, whole after every pass.
 
-use super::filter::Weights;
+use super::exposure::Exposure;
 use super::knowledge::{Knowledge, edges};
 use super::sampling;
 use super::settings::{Mode, Settings};
 use super::studio::glimpse::Remembered;
 use super::tiles::{Drawing, Pass, Report, Tile};
-use super::transport::estimate::Estimate;
-use super::transport::light::Splat;
 use crate::film::{Layer, Size};
 use crate::surface::{Counts, Hit};
 use std::sync::{Mutex, MutexGuard};
@@ -25,18 +23,9 @@ pub struct Canvas {
     squares: Option<Squares>,
     /// By tile, the pixels that get more samples.
     edges: Vec<Vec<Edge>>,
-    /// Of the modes that follow light, the samples that count in each pixel, added up: light, weight, and weight of what is covered,
-    /// in steps of [`STEP`]: whole numbers, whose sum is the same in any order.
-    light: Option<Layer<[i128; 5]>>,
-    /// What paths from the lights show, likewise.
-    shown: Option<Layer<[i128; 3]>>,
+    /// Of the modes that follow light, the samples so far.
+    pub exposure: Option<Exposure>,
 }
-
-/// The steps in which light is added that comes to a pixel from any thread: 2^−60, and 2^67 at most.
-const STEP: f64 = 1.0 / (1u64 << 60) as f64;
-
-/// The least weight of all samples of a pixel, per sample: where few of them fall to its rim, their weights may cancel.
-const LEAST_WEIGHT: f64 = 0.05;
 
 /// What a coarse pass drew, one value a square.
 struct Squares {
@@ -59,11 +48,6 @@ pub struct Edge {
     pub is_torn: bool,
 }
 
-/// Adds in steps of [`STEP`].
-fn add(sum: &mut i128, more: f64) {
-    *sum = sum.saturating_add((more / STEP) as i128);
-}
-
 impl Canvas {
     /// An empty one.
     pub fn new(settings: &Settings) -> Self {
@@ -82,8 +66,7 @@ impl Canvas {
             memory: (settings.mode == Mode::Studio).then(|| Layer::filled(size, Remembered::NONE)),
             squares: None,
             edges: Vec::new(),
-            light: settings.mode.is_transport().then(|| Layer::filled(size, [0; 5])),
-            shown: matches!(settings.mode, Mode::Light | Mode::Bidirectional).then(|| Layer::filled(size, [0; 3])),
+            exposure: settings.mode.is_transport().then(|| Exposure::new(size, settings.mode != Mode::Path)),
         }
     }
 
@@ -172,51 +155,13 @@ impl Canvas {
         self.drawing
     }
 
-    /// Adds samples, each to all pixels that it counts in.
-    pub fn add_light(&mut self, estimates: &[Estimate], weights: &Weights) {
-        let Some(light) = &mut self.light else { return };
-        let (width, height) = (light.size.width(), light.size.height());
-        for Estimate { place: [x, y], light: radiance, is_covered } in estimates {
-            let across = weights.along(*x, width);
-            for (j, down) in weights.along(*y, height) {
-                for (i, weight) in across.clone().map(|(i, across)| (i, across * down)) {
-                    let [r, g, b] = (*radiance * weight).to_array();
-                    let covered = if *is_covered { weight } else { 0.0 };
-                    let sums = &mut light.values[(j * width + i) as usize];
-                    sums.iter_mut().zip([r, g, b, weight, covered]).for_each(|(sum, more)| add(sum, more));
-                }
-            }
-        }
-    }
-
-    /// Adds light that paths from the lights show.
-    pub fn add_shown<'s>(&mut self, splats: impl Iterator<Item = &'s Splat>, weights: &Weights) {
-        let Some(shown) = &mut self.shown else { return };
-        let (width, height) = (shown.size.width(), shown.size.height());
-        for Splat { place: [x, y], light } in splats {
-            let across = weights.along(*x, width);
-            for (j, down) in weights.along(*y, height) {
-                for (i, across) in across.clone() {
-                    let sums = &mut shown.values[(j * width + i) as usize];
-                    let more = (*light * (across * down)).to_array();
-                    sums.iter_mut().zip(more).for_each(|(sum, more)| add(sum, more));
-                }
-            }
-        }
-    }
-
-    /// Puts the means of so many samples into the picture.
+    /// Puts the means of so many samples of light into the picture.
     pub fn show_light(&mut self, samples: u32) {
-        let Some(light) = &self.light else { return };
-        for (k, &sums) in light.values.iter().enumerate() {
-            let [r, g, b, weight, covered] = sums.map(|sum| sum as f64 * STEP);
-            let weight = weight.max(LEAST_WEIGHT * f64::from(samples));
-            let shown = self.shown.as_ref().map_or([0; 3], |shown| shown.values[k]);
-            let shown = shown.map(|sum| sum as f64 * STEP / f64::from(samples));
-            let seen = [r, g, b].map(|sum| sum / weight);
-            self.drawing.picture.values[k] = std::array::from_fn(|c| (seen[c] + shown[c]) as f32);
+        let Some(exposure) = &self.exposure else { return };
+        for (k, exposed) in exposure.develop(samples).enumerate() {
+            self.drawing.picture.values[k] = exposed.light;
             if let Some(alpha) = &mut self.drawing.alpha {
-                alpha.values[k] = (covered / weight).clamp(0.0, 1.0) as f32;
+                alpha.values[k] = exposed.alpha;
             }
         }
     }

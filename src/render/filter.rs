@@ -79,6 +79,11 @@ impl Weights {
         Weights { filter, scale: 1.0 / (width * values.sum::<f64>()) }
     }
 
+    /// How many pixels beyond its own a place may count in.
+    pub fn reach(&self) -> u32 {
+        self.filter.radius().ceil() as u32
+    }
+
     /// The pixels of a row of `count` that a place counts in, with the weight of each along this axis.
     pub fn along(&self, place: f64, count: u32) -> impl Iterator<Item = (u32, f64)> + Clone {
         let (filter, scale) = (self.filter, self.scale);

@@ -9,6 +9,7 @@
 //! - [`tiles`]: the picture in squares and passes; [`canvas`]: what all threads draw on.
 //! - [`knowledge`]: what the centre ray of a pixel knows, in four bytes, and where neighbours differ.
 //! - [`worker`]: one thread with its tracer, and what it does with a tile.
+//! - [`exposure`]: samples of light, added up in pixels.
 //! - [`filter`]: how much a place counts in a pixel.
 //! - [`sampling`]: where in a pixel the rays go, and when they are enough.
 //! - [`integrator`]: from hits to light, by mode: [`cosine`], [`mirror`], [`studio`], [`data`].
@@ -18,6 +19,7 @@
 pub mod canvas;
 pub mod cosine;
 pub mod data;
+pub mod exposure;
 pub mod filter;
 pub mod integrator;
 pub mod knowledge;

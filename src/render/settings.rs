@@ -105,6 +105,11 @@ impl Mode {
         matches!(self, Mode::Studio | Mode::Cosine | Mode::Mirror) || self.is_transport()
     }
 
+    /// Whether it follows light from surface to surface, for so many bounces.
+    pub fn follows_light(self) -> bool {
+        self.is_transport() || matches!(self, Mode::Whitted | Mode::End | Mode::Bounces)
+    }
+
     /// Whether its pictures are means over paths of light: every pixel has all samples.
     pub fn is_transport(self) -> bool {
         matches!(self, Mode::Path | Mode::Light | Mode::Bidirectional)

@@ -3,6 +3,7 @@
 //! In: tiles, one after the other. Out: colours and what the rays know, on the canvas that all threads share.
 
 use super::canvas::{Canvas, Edge, lock};
+use super::exposure::TileExposure;
 use super::filter::{Filter, Weights};
 use super::integrator::{behind, colours_of, pixel, shade};
 use super::sampling;
@@ -170,6 +171,7 @@ impl<'a, T: Trace> Worker<'a, T> {
         // The only sample of a pixel is its own.
         let filter = if self.settings.samples == 1 { Filter::Box } else { self.settings.filter };
         let weights = Weights::new(filter);
+        let mut exposure = TileExposure::new(tile, self.settings.size, &weights);
         let mut estimates = Vec::new();
         let at_once = (SHINING / samples.len().max(1)).max(1);
         let started = self.watch.seconds();
@@ -178,10 +180,14 @@ impl<'a, T: Trace> Worker<'a, T> {
                 let each = pixels.iter().flat_map(|&pixel| samples.clone().map(move |sample| (pixel, sample)));
                 let each: Vec<((u32, u32), u32)> = each.collect();
                 estimator.estimate(&mut self.tracer, &each, &mut estimates);
-                let mut canvas = lock(self.canvas);
-                canvas.add_light(&estimates, &weights);
-                canvas.add_shown(estimator.shown(), &weights);
+                exposure.add(&estimates, &weights);
+                if let Some(all) = &mut lock(self.canvas).exposure {
+                    all.add_shown(estimator.shown(), &weights);
+                }
             }
+        }
+        if let Some(all) = &mut lock(self.canvas).exposure {
+            all.add(&exposure);
         }
         self.trace_seconds += self.watch.seconds() - started;
         self.estimator = Some(estimator);

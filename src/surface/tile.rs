@@ -76,6 +76,10 @@ pub(crate) struct Crossing {
     pub(crate) b: f64,
     /// The least |dg/ds|, s the depth.
     pub(crate) steepness: f64,
+    /// The sign of g in front of the root.
+    pub(crate) front: f64,
+    /// What d²g/ds² is about.
+    pub(crate) curvature: f64,
     /// The root's depth in the middle of the square, and what a pixel across and down adds to it.
     pub(crate) depth: [f64; 3],
     /// Enclosures so far.
@@ -242,7 +246,7 @@ impl Walk {
             let steepness = lo.max(-hi);
             let smooth = (g.flags[lane] & (PARTIAL | JUMP)) | (slope.flags[lane] & PARTIAL) == 0;
             if smooth && steepness > 0.0 {
-                settled.crossings.push(square.crossing(g, lane, steepness, view.0));
+                settled.crossings.push(square.crossing(g, slope, lane, view.0));
             } else {
                 self.cut(square, settled);
             }
@@ -347,7 +351,7 @@ impl Square {
         if self.b - self.a > LONG * width && self.slabs < 2 * MOST_SLABS { self.halved() } else { Verdict::Cut }
     }
 
-    fn crossing(&self, g: &Forms, lane: usize, steepness: f64, screen: &Screen) -> Crossing {
+    fn crossing(&self, g: &Forms, slope: &Forms, lane: usize, screen: &Screen) -> Crossing {
         let Square { place, a, b, cost, .. } = *self;
         let half = 0.5 * (b - a);
         let per = -half / g.slope[2][lane];
@@ -358,6 +362,8 @@ impl Square {
             per * g.slope[0][lane] * per_pixel(0, place.width),
             per * g.slope[1][lane] * per_pixel(1, place.height),
         ];
-        Crossing { place, a, b, steepness, depth, cost }
+        let (lo, hi) = slope.bounds(lane);
+        let (steepness, front) = (lo.max(-hi), if lo > 0.0 { -1.0 } else { 1.0 });
+        Crossing { place, a, b, steepness, front, curvature: slope.slope[2][lane] / half, depth, cost }
     }
 }

@@ -28,6 +28,8 @@ pub enum Varied {
     Samples,
     /// The number of objects; the first drawing has all.
     Objects,
+    /// The scattering events of a path; the first drawing has the most.
+    Bounces,
 }
 
 /// One drawing.
@@ -159,6 +161,7 @@ impl Comparison {
             Varied::Step => "compare.step",
             Varied::Samples => "compare.samples",
             Varied::Objects => "compare.objects",
+            Varied::Bounces => "compare.bounces",
         };
         let name =
             |value: Option<f64>| value.map_or(texts.get("compare.faithful").to_owned(), |value| digits(value, 6));
@@ -177,10 +180,9 @@ impl Comparison {
                         &d.moved.to_string(),
                     ],
                 ),
-                Varied::Samples | Varied::Objects => texts.with(
-                    if self.varied == Varied::Samples { "compare.samples.says" } else { "compare.objects.says" },
-                    &[&name(*value), &all.to_string()],
-                ),
+                Varied::Samples => texts.with("compare.samples.says", &[&name(*value), &all.to_string()]),
+                Varied::Objects => texts.with("compare.objects.says", &[&name(*value), &all.to_string()]),
+                Varied::Bounces => texts.with("compare.bounces.says", &[&name(*value), &all.to_string()]),
             });
         }
         let columns = [

@@ -124,7 +124,6 @@ const ROWS: &[(&str, i32, &str)] = &[
     ("ray|x^2+y^2+z^2=1|--pixel|a", 2, "two whole numbers"),
     ("ray|x^2+y^2+z^2=1|--from|0,0,3|--direction|0,0,-1|--step|1e-9", 2, "more than 100000 samples"),
     ("ray|5|--from|0,0,3|--direction|0,0,-1", 1, "error"),
-    ("compare|x^2+y^2+z^2=1|--vary|bounces", 2, "which are not built yet"),
     ("compare|x^2+y^2+z^2=1|--vary|objects", 2, "several surfaces"),
     ("compare|x^2+y^2+z^2=1|--step|0", 2, "more than 0"),
     ("compare|x^2+y^2+z^2=1|-s|8x6|--step|0.5|-o|missing/a.png", 1, "cannot write"),

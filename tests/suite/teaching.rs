@@ -75,6 +75,10 @@ fn comparing_counts_what_a_step_misses() {
     assert!(rows[1]["at_silhouettes"].as_u64().unwrap() <= missed(1) && rows[1]["hits"].as_u64().unwrap() > 100);
     let rows = json("compare|x^2+y^2+z^2=1|--vary|samples|-s|24x18|--json");
     assert_eq!(rows.as_array().unwrap().len(), 4);
+    let rows = json("compare|x^2+y^2+z^2=1 {kind: mirror}|z=-1|--vary|bounces|-s|24x18|--json");
+    let different = |row: &serde_json::Value| row["recoloured"].as_u64().unwrap();
+    assert_eq!(rows.as_array().unwrap().len(), 6);
+    assert!(rows[1]["value"] == 0.0 && different(&rows[1]) > 100 && different(&rows[4]) < 10, "{rows:?}");
     let rows = json("compare|x^2+y^2+z^2=1|z=0|y=0|--vary|objects|-s|24x18|--json");
     assert_eq!(
         rows.as_array().unwrap().iter().map(|row| row["value"].as_f64().unwrap()).collect::<Vec<f64>>(),

@@ -5,6 +5,7 @@
 
 use super::{FAR, Job, Tiles, Tracer, View};
 use crate::closure::specialise::SLABS;
+use crate::num::level::{Simd, for_each_level};
 use crate::surface::bundle::{Bundle, Spans};
 use crate::surface::hit::Outcome;
 use crate::surface::isolate::Open;
@@ -23,6 +24,9 @@ const SMALLEST: u32 = 8;
 
 /// What matters is found out for this many layers of each quarter, one behind the other.
 const LAYERS: usize = SLABS / 4;
+
+/// How many rays are asked at once for their depths.
+const LANES: usize = 8;
 
 /// Pixels of the rectangle between two depths.
 #[derive(Clone, Copy)]
@@ -82,7 +86,7 @@ impl Tracer<'_> {
     /// Settles a part of the rectangle between two depths, where these arguments matter (`None`: all).
     fn part(&mut self, here: Here, view: View, block: Block, among: Option<&[u32]>, job: &mut Job) {
         let sheet = &here.surface.sheets[here.k];
-        let Some(block) = self.shrunk(view, block) else { return };
+        let Some(block) = self.shrunk(here.surface.simd, view, block) else { return };
         let Some(parts) = &sheet.kernels.parts else {
             self.walk(here, sheet.kernels.whole(), view, block, job);
             return;
@@ -141,15 +145,15 @@ impl Tracer<'_> {
         if !live.is_empty() {
             let program = Program::new(live);
             let formula = here.surface.sheets[here.k].kernels.only(&program);
-            if let Some(block) = self.shrunk(view, block) {
+            if let Some(block) = self.shrunk(here.surface.simd, view, block) {
                 self.walk(here, formula, view, block, job);
             }
         }
     }
 
     /// A block without what lies in front of and behind the rays that are still looked at; `None` if there are none.
-    fn shrunk(&self, view: View, block: Block) -> Option<Block> {
-        let depths = depths(view.bundle, &self.tiles.spans, block.place.numbers(view.rectangle.width));
+    fn shrunk(&self, simd: Simd, view: View, block: Block) -> Option<Block> {
+        let depths = depths(simd, view.bundle, &self.tiles.spans, block.place, view.rectangle.width);
         depths.and_then(|found| meet(beyond(found), block.depths)).map(|depths| Block { depths, ..block })
     }
 
@@ -167,7 +171,7 @@ impl Tracer<'_> {
         settled.clear();
         let registers = &mut self.files[index][k].registers;
         let range = |square: Rectangle| {
-            depths(bundle, spans, square.numbers(rectangle.width)).and_then(|found| meet(found, block.depths))
+            depths(simd, bundle, spans, square, rectangle.width).and_then(|found| meet(found, block.depths))
         };
         let region = (block.place, block.depths, range);
         walk.run(formula, &mut registers.forms, (screen, rectangle, simd), region, settled);
@@ -175,11 +179,11 @@ impl Tracer<'_> {
         let (gradient, cells) = (&mut registers.gradient, &mut registers.cells.value);
         let mut tools = Tools { formula, gradient, cells, size, simd, evaluations: 0, enclosures: 0 };
         let open = &mut self.open;
-        let mut found = |root: &Root| file(root, spans, open, job);
+        let mut found = |root: &Root, spans: &mut Spans| file(root, spans, open, job);
         for crossing in &settled.crossings {
-            stream.take(crossing, bundle, rectangle.width, &mut tools, &mut found);
+            stream.take(crossing, (bundle, spans, rectangle.width), &mut tools, &mut found);
         }
-        stream.run(&mut tools, &mut found);
+        stream.finish(spans, &mut tools, &mut found);
         self.counts.gradients += tools.evaluations;
         self.counts.cells += tools.enclosures;
         for &Rest { place, a, step, cost } in &settled.rest {
@@ -221,16 +225,41 @@ fn file(root: &Root, spans: &mut Spans, open: &mut Vec<Open>, job: &mut Job) {
     }
 }
 
-/// Between which depths any of these rays is looked at.
-fn depths(bundle: &Bundle, spans: &Spans, rays: impl Iterator<Item = usize>) -> Option<(f64, f64)> {
-    let (mut a, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
-    for i in rays {
-        if spans.near[i] <= spans.far[i] {
-            a = a.min(spans.near[i] / bundle.length[i]);
-            end = end.max(spans.far[i] / bundle.length[i]);
-        }
+/// Between which depths any of the rays in a place of a rectangle `width` pixels wide is looked at.
+fn depths(simd: Simd, bundle: &Bundle, spans: &Spans, place: Rectangle, width: u32) -> Option<(f64, f64)> {
+    let mut found = [[f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]];
+    for row in place.top..place.top + place.height {
+        let first = (row * width + place.left) as usize;
+        let rays = first..first + place.width as usize;
+        let [near, far, length] = [&spans.near, &spans.far, &bundle.length].map(|all| &all[rays.clone()]);
+        widen(simd, near, far, length, &mut found);
     }
+    let [a, end] =
+        [found[0].into_iter().fold(f64::INFINITY, f64::min), found[1].into_iter().fold(f64::NEG_INFINITY, f64::max)];
     (a <= end).then_some((a * SHORTENED, end * LENGTHENED))
+}
+
+for_each_level! {
+    /// Takes the depths of some rays into the least and largest that are known.
+    fn widen[L](near: &[f64], far: &[f64], length: &[f64], found: &mut [[f64; LANES]; 2]) {
+        let [mut least, mut most] = *found;
+        let (near, far, length) = (near.as_chunks::<LANES>(), far.as_chunks::<LANES>(), length.as_chunks::<LANES>());
+        for ((near, far), length) in near.0.iter().zip(far.0).zip(length.0) {
+            for i in 0..LANES {
+                let (a, end) = (near[i] / length[i], far[i] / length[i]);
+                let is_open = near[i] <= far[i];
+                least[i] = if is_open & (a < least[i]) { a } else { least[i] };
+                most[i] = if is_open & (end > most[i]) { end } else { most[i] };
+            }
+        }
+        for ((near, far), length) in near.1.iter().zip(far.1).zip(length.1) {
+            if near <= far {
+                least[0] = least[0].min(near / length);
+                most[0] = most[0].max(far / length);
+            }
+        }
+        *found = [least, most];
+    }
 }
 
 /// A stretch of depths with a margin: squares may look a little beyond their rays' ends.
