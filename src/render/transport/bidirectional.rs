@@ -280,8 +280,7 @@ fn scatter(ends: &[EyeVertex], first: u32) -> (Vec<Path>, Vec<Flight>) {
         }
         let balance = vertex.balance_behind(path.balance, &sample);
         paths.push(Path { throughput, balance, from: Some(vertex.point), ..**path });
-        let direction = vertex.frame.world_from_local(sample.wi).normalize();
-        flights.push(vertex.leave(sample.wi, direction, f64::INFINITY, *numbers));
+        flights.push(vertex.go_on(sample.wi, *numbers));
     }
     (paths, flights)
 }

@@ -173,8 +173,7 @@ fn scatter(samples: &[Numbers], found: &[LightVertex], first: u32) -> (Vec<Path>
         }
         let balance = vertex.balance_behind(*balance, &sample);
         paths.push(Path { sample: vertex.path, throughput, balance, emitted: None });
-        let direction = vertex.frame.world_from_local(sample.wi).normalize();
-        flights.push(vertex.leave(sample.wi, direction, f64::INFINITY, numbers));
+        flights.push(vertex.go_on(sample.wi, numbers));
     }
     (paths, flights)
 }

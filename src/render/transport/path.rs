@@ -235,10 +235,9 @@ fn scatter(room: &mut PathRoom, first: u32, event: u32) {
         if throughput == DVec3::ZERO || !throughput.is_finite() {
             continue;
         }
-        let direction = vertex.frame.world_from_local(sample.wi).normalize();
         let pdf = if sample.is_specular { f64::INFINITY } else { sample.pdf };
         on.paths.push(Path { place: path.place, throughput, pdf, from: vertex.point, is_from_eye: false });
-        on.flights.push(vertex.leave(sample.wi, direction, f64::INFINITY, numbers));
+        on.flights.push(vertex.go_on(sample.wi, numbers));
     }
 }
 

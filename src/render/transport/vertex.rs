@@ -77,6 +77,12 @@ impl Vertex {
         self.starts[usize::from(wi.z < 0.0)]
     }
 
+    /// A flight that goes on in a direction of the frame.
+    pub fn go_on(&self, wi: DVec3, numbers: Numbers) -> Flight {
+        let direction = self.frame.world_from_local(wi).normalize();
+        self.leave(wi, direction, f64::INFINITY, numbers)
+    }
+
     /// A flight in a direction of the frame, which is `direction` in the world; at most up to `end`.
     pub fn leave(&self, wi: DVec3, direction: DVec3, end: f64, numbers: Numbers) -> Flight {
         let side = usize::from(wi.z < 0.0);

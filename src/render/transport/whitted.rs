@@ -58,8 +58,7 @@ pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, li
             for (wi, part) in branches(world.scene, vertex) {
                 let share = share * part;
                 if share.max_element() >= LEAST_SHARE {
-                    let direction = vertex.frame.world_from_local(wi).normalize();
-                    let flight = vertex.leave(wi, direction, f64::INFINITY, flights[vertex.path].numbers);
+                    let flight = vertex.go_on(wi, flights[vertex.path].numbers);
                     next.0.push((place, share));
                     next.1.push(Flight { passing: Passing::ByShare, ..flight });
                 }
