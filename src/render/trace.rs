@@ -50,7 +50,7 @@ impl Trace for Tracer<'_> {
 
     fn trace_rectangle(&mut self, screen: &Screen, rectangle: Rectangle, rays: &mut Vec<Ray>, hits: &mut Vec<Hit>) {
         Tracer::trace_rectangle(self, screen, rectangle, hits);
-        self.take_rays(rays);
+        self.rays(rays);
     }
 
     fn trace_from_surface(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {

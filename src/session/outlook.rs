@@ -168,7 +168,7 @@ impl Outlook<'_> {
         let (mut rays, mut hits) = (Vec::new(), Vec::new());
         let mut tracer = Tracer::new(self.surfaces, surface::Method::Faithful);
         tracer.trace_rectangle(&camera.screen(columns, rows), whole, &mut hits);
-        tracer.take_rays(&mut rays);
+        tracer.rays(&mut rays);
         rays.iter().zip(&hits).filter(|(_, hit)| hit.is_drawn()).map(|(ray, hit)| ray.at(hit.t)).collect()
     }
 }

@@ -14,6 +14,7 @@
 //! What a lane decides is computed for all lanes without a branch; only a lane that is finished is looked at
 //! by itself.
 
+use super::bundle::Asked;
 use super::hit::Ray;
 use super::kernels::Formula;
 use super::sheet::{CELLS, Cells};
@@ -61,7 +62,7 @@ pub(crate) struct Open {
 /// What all rays of a batch share.
 pub(crate) struct Rays<'a> {
     /// The rays.
-    pub(crate) list: &'a [Ray],
+    pub(crate) list: Asked<'a>,
     /// The length that tolerances are measured by.
     pub(crate) size: f64,
     /// The instructions to use.
@@ -161,7 +162,7 @@ impl Pool {
         while !open.is_empty() {
             if narrow < f64::INFINITY {
                 self.pass(rays, open, found, |pool| {
-                    place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, value);
+                    place(rays.simd, pool.origin.each_ref(), pool.direction.each_ref(), &pool.a, &pool.b, value);
                     formula.value().run(value);
                     decide_by_value(rays.simd, pool, narrow, formula.value().output(value, 0));
                     1
@@ -169,9 +170,9 @@ impl Pool {
                 std::mem::swap(open, &mut found.other);
             }
             self.pass(rays, open, found, |pool| {
-                place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.a, value);
+                place(rays.simd, pool.origin.each_ref(), pool.direction.each_ref(), &pool.a, &pool.a, value);
                 formula.value().run(value);
-                place(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, slope);
+                place(rays.simd, pool.origin.each_ref(), pool.direction.each_ref(), &pool.a, &pool.b, slope);
                 formula.slope().run(slope);
                 let (g, of_slope) = (formula.slope().output(slope, 0), formula.slope().output(slope, 1));
                 decide_by_slope(rays.simd, pool, 2.0 * narrow, formula.value().output(value, 0), g, of_slope);
@@ -192,7 +193,7 @@ impl Pool {
                 if self.verdict[lane] != Verdict::Open {
                     active -= usize::from(self.retire(lane, found));
                     if let Some(next) = open.pop() {
-                        self.fill(lane, next, &rays.list[next.ray as usize], rays.size);
+                        self.fill(lane, next, &rays.list.ray(next.ray), rays.size);
                         active += 1;
                     }
                 }
@@ -252,12 +253,12 @@ for_each_level! {
     /// rounding (two fused products, one division), its product with t and the sum to one more each; 2^-50·t +
     /// 2^-52·|origin| covers them all.
     pub(crate) fn place[L](
-        origin: &[[f64; CELLS]; 3], direction: &[[f64; CELLS]; 3], a: &[f64; CELLS], b: &[f64; CELLS], cells: &mut [Cells],
+        origin: [&[f64; CELLS]; 3], direction: [&[f64; CELLS]; 3], a: &[f64; CELLS], b: &[f64; CELLS], cells: &mut [Cells],
     ) {
         const PER_DISTANCE: f64 = 1.0 / (1u64 << 50) as f64;
         const PER_ORIGIN: f64 = 1.0 / (1u64 << 52) as f64;
         for axis in 0..3 {
-            let (o, d) = (&origin[axis], &direction[axis]);
+            let (o, d) = (origin[axis], direction[axis]);
             let cell = &mut cells[axis];
             for i in 0..CELLS {
                 // The origin itself is exact.

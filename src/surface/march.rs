@@ -5,6 +5,7 @@
 //! g'(t) = a·f_x + b·f_y + c·f_z, kept inside its bracket. Roots without a change of sign, and pairs of roots
 //! between two samples, are missed: that is what the faithful method is for.
 
+use super::bundle::Asked;
 use super::hit::{Counts, Hit, Outcome, Ray};
 use super::sheet::{POINTS, Points, Surface};
 use glam::DVec3;
@@ -32,12 +33,13 @@ impl Marcher {
         surfaces: &[Surface],
         step: f64,
         skipped: f64,
-        rays: &[Ray],
+        rays: Asked,
         hits: &mut [Hit],
         counts: &mut Counts,
     ) {
         for (index, surface) in surfaces.iter().enumerate() {
-            for (ray, hit) in rays.iter().zip(hits.iter_mut()) {
+            for (number, hit) in hits.iter_mut().enumerate() {
+                let ray = &rays.ray(number as u32);
                 let Some((t0, t1)) = surface.span(ray) else { continue };
                 let (t0, t1) = (t0.max(skipped * surface.size), t1.min(hit.t).min(ray.end));
                 let mut march = March { surface, ray, files: &mut self.files[index], counts };

@@ -7,7 +7,7 @@
 //! g at single points, in front of the root and behind it: g is monotone, so opposite signs there mean
 //! exactly one root between them and none elsewhere in the slab, and equal signs at both ends mean none at all.
 
-use super::hit::Ray;
+use super::bundle::Asked;
 use super::isolate::{Bracket, Rays, place};
 use super::kernels::Formula;
 use super::sheet::{CELLS, Cells, POINTS, Points};
@@ -120,10 +120,10 @@ impl Batch {
         work
     }
 
-    fn load(&mut self, brackets: &[Bracket], rays: &[Ray]) {
+    fn load(&mut self, brackets: &[Bracket], rays: Asked) {
         for i in 0..POINTS {
             let bracket = &brackets[i.min(brackets.len() - 1)];
-            let ray = &rays[bracket.open.ray as usize];
+            let ray = rays.ray(bracket.open.ray);
             for axis in 0..3 {
                 self.origin[axis][i] = ray.origin[axis];
                 self.direction[axis][i] = ray.direction[axis];
@@ -134,10 +134,10 @@ impl Batch {
 
     /// g at both ends, and where the chord between them crosses zero.
     fn ends(&mut self, simd: Simd, formula: Formula, files: &mut Files) {
-        points_at(simd, &self.origin, &self.direction, &self.a, files.point);
+        points_at(simd, self.origin.each_ref(), self.direction.each_ref(), &self.a, files.point);
         formula.point().run(files.point);
         self.front = formula.point().output(files.point, 0).0;
-        points_at(simd, &self.origin, &self.direction, &self.b, files.point);
+        points_at(simd, self.origin.each_ref(), self.direction.each_ref(), &self.b, files.point);
         formula.point().run(files.point);
         self.behind = formula.point().output(files.point, 0).0;
         for i in 0..POINTS {
@@ -162,7 +162,7 @@ impl Batch {
             if live == 0 {
                 break;
             }
-            points_at(rays.simd, &self.origin, &self.direction, &self.t, files.gradient);
+            points_at(rays.simd, self.origin.each_ref(), self.direction.each_ref(), &self.t, files.gradient);
             formula.gradient().run(files.gradient);
             evaluations += live as u64;
             let [g, x, y, z] = [0, 1, 2, 3].map(|k| &formula.gradient().output(files.gradient, k).0);
@@ -225,7 +225,7 @@ fn signs_at(
     direction: &[[f64; CELLS]; 3],
     t: &[f64; CELLS],
 ) -> [i8; CELLS] {
-    place(simd, origin, direction, t, t, cells);
+    place(simd, origin.each_ref(), direction.each_ref(), t, t, cells);
     formula.value().run(cells);
     let g = formula.value().output(cells, 0);
     std::array::from_fn(|i| i8::from(g.lo[i] > 0.0) - i8::from(g.hi[i] < 0.0))
@@ -259,10 +259,10 @@ for_each_level! {
 for_each_level! {
     /// Puts the points at distance t on each ray into the registers of the coordinates.
     pub(crate) fn points_at[L](
-        origin: &[[f64; POINTS]; 3], direction: &[[f64; POINTS]; 3], t: &[f64; POINTS], points: &mut [Points],
+        origin: [&[f64; POINTS]; 3], direction: [&[f64; POINTS]; 3], t: &[f64; POINTS], points: &mut [Points],
     ) {
         for axis in 0..3 {
-            let (o, d) = (&origin[axis], &direction[axis]);
+            let (o, d) = (origin[axis], direction[axis]);
             let point = &mut points[axis].0;
             for i in 0..POINTS {
                 point[i] = L::fma(t[i], d[i], o[i]);

@@ -55,12 +55,6 @@ impl Rectangle {
             })
         })
     }
-
-    /// The numbers of its pixels in a picture so many pixels wide, row by row.
-    pub(crate) fn numbers(self, width: u32) -> impl Iterator<Item = usize> {
-        (self.top..self.top + self.height)
-            .flat_map(move |j| (self.left..self.left + self.width).map(move |i| (j * width + i) as usize))
-    }
 }
 
 /// What sx and sy may be off by rounding, as a part of the largest of them in the picture; a thousand times too much.
@@ -86,7 +80,7 @@ impl Screen {
     pub fn rays(&self, rectangle: Rectangle, rays: &mut Vec<Ray>) {
         let mut bundle = Bundle::default();
         bundle.fill(self, rectangle, Simd::Portable);
-        *rays = bundle.rays;
+        bundle.list(rays);
     }
 
     /// The width of so many pixels at a depth.
@@ -95,10 +89,9 @@ impl Screen {
         if self.is_parallel { width } else { width * depth }
     }
 
-    /// Middle and half width of a square of pixels, one number for each of across and down.
-    pub(crate) fn square(&self, place: Rectangle) -> [[f64; 2]; 2] {
-        let start = [place.left, place.top];
-        let last = [place.left + place.width - 1, place.top + place.height - 1];
+    /// Middle and half width of a rectangle of pixels of this size, > 0, one number for each of across and down.
+    pub(crate) fn rectangle(&self, start: [u32; 2], size: [u32; 2]) -> [[f64; 2]; 2] {
+        let last = [start[0] + size[0] - 1, start[1] + size[1] - 1];
         let mut square = [[0.0; 2]; 2];
         for axis in 0..2 {
             let at = |pixel: u32| self.first[axis] + f64::from(pixel) * self.step[axis];
@@ -117,7 +110,8 @@ pub(crate) fn place_cells(simd: Simd, screen: &Screen, cells: &[(Rectangle, (f64
     let mut places = Places::default();
     for i in 0..FORMS {
         let (rectangle, (a, end)) = cells[if i < cells.len() { i } else { 0 }];
-        let [middle, half] = screen.square(rectangle);
+        let Rectangle { left, top, width, height } = rectangle;
+        let [middle, half] = screen.rectangle([left, top], [width, height]);
         for axis in 0..2 {
             places.middle[axis][i] = middle[axis];
             places.half[axis][i] = half[axis];

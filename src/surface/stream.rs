@@ -4,7 +4,7 @@
 //! t of the bracket is within |g(t)| / steepness of the root (mean value theorem), so that an enclosure of g at t alone
 //! proves how near it is. Separate from [`super::refine`], which knows less of its brackets and must look at both sides.
 
-use super::bundle::{Bundle, Spans};
+use super::bundle::{BEYOND, Bundle, LENGTHENED, PLACES, SHORTENED, Spans};
 use super::isolate::place;
 use super::kernels::Formula;
 use super::refine::{WIDTH, points_at};
@@ -12,8 +12,6 @@ use super::sheet::{CELLS, Cells, POINTS, Points};
 use super::tile::Crossing;
 use crate::num::interval_lanes::PARTIAL;
 use crate::num::level::{Level, Simd, for_each_level};
-use glam::DVec3;
-use std::ops::Range;
 
 /// A step not longer than this part of the scale is the last: the next is its square.
 const CONVERGED: f64 = 2e-6;
@@ -32,70 +30,83 @@ const STRAIGHT: f64 = 2e-7;
 /// Steps after which the rest is left to single rays.
 const MOST_STEPS: usize = 5;
 
-/// What a distance along a ray and a depth may be off by, being products of a few roundings; a hundred times too much.
-pub(crate) const SHORTENED: f64 = 1.0 - 1e-13;
-pub(crate) const LENGTHENED: f64 = 1.0 + 1e-13;
+/// Rays are taken so many at once, those that are not looked at and those beyond the last too.
+const LANES: usize = BEYOND;
 
-/// What became of a ray.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Root {
-    /// Which ray.
-    pub(crate) ray: usize,
-    /// The bracket.
-    pub(crate) a: f64,
-    pub(crate) b: f64,
-    /// Enclosures so far.
-    pub(crate) cost: u32,
-    /// The root; an end of the bracket, if it is proven to be beyond an end of the ray.
-    pub(crate) t: f64,
-    /// How far the true one can be from it; NaN if that could not be told.
-    pub(crate) width: f64,
-    /// The unit gradient of g there, turned against the ray, and whether it had to be turned.
-    pub(crate) normal: DVec3,
-    pub(crate) flipped: bool,
+/// Room for a batch and for what is taken beyond its end.
+const ROOM: usize = POINTS + LANES;
+
+/// A number of each ray.
+type Column = [f64; ROOM];
+
+/// Who is told what became of the rays, each by its place in the bundle.
+pub(crate) trait Sink {
+    /// Where each ray of the bundle begins and ends.
+    fn spans(&self) -> &Spans;
+
+    /// The ray has a root at t, proven to be within `width` of it, where the unit gradient of g, turned against the ray, is `normal`.
+    fn hit(&mut self, place: usize, cost: u32, t: f64, width: f64, normal: [f64; 3], flipped: bool);
+
+    /// The ray has none in its part of the bracket, or none is proven.
+    fn other(&mut self, place: usize, cost: u32, bracket: (f64, f64), end: End);
+}
+
+/// What became of a ray that has no proven root between its beginning and its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    /// The root is in front of the ray's beginning.
+    Before,
+    /// The root is behind the ray's end.
+    Behind,
+    /// It could not be told where it is.
+    Unknown,
 }
 
 /// Rays waiting to be a batch, a number of each in an array.
 #[derive(Debug)]
 pub(crate) struct Stream {
     count: usize,
-    ray: [usize; POINTS],
-    cost: [u32; POINTS],
-    origin: [[f64; POINTS]; 3],
-    direction: [[f64; POINTS]; 3],
-    a: [f64; POINTS],
-    b: [f64; POINTS],
-    t: [f64; POINTS],
-    steepness: [f64; POINTS],
+    place: [u32; ROOM],
+    cost: [u32; ROOM],
+    origin: [Column; 3],
+    direction: [Column; 3],
+    near: Column,
+    far: Column,
+    a: Column,
+    b: Column,
+    t: Column,
+    steepness: Column,
     /// The sign of g in front of the root.
-    front: [f64; POINTS],
+    front: Column,
     /// Whether t is not where the root may be, but the ray's end, which is likely in front of it (1), or its beginning (−1).
-    beyond: [f64; POINTS],
+    beyond: Column,
     /// What the second derivative of g along the ray is about.
-    curvature: [f64; POINTS],
+    curvature: Column,
     /// The last step's length, 0 for a ray that is done; infinite before the first.
-    moved: [f64; POINTS],
+    moved: Column,
     /// What tolerances are parts of.
-    scale: [f64; POINTS],
+    scale: Column,
     /// The last step, and where it began: g, its inverse slope along the ray, and its gradient.
-    stride: [f64; POINTS],
-    value: [f64; POINTS],
-    inverse: [f64; POINTS],
-    here: [[f64; POINTS]; 3],
+    stride: Column,
+    value: Column,
+    inverse: Column,
+    here: [Column; 3],
     /// The gradient where it ended: at first as computed, then carried on.
-    gradient: [[f64; POINTS]; 3],
-    flipped: [f64; POINTS],
+    gradient: [Column; 3],
+    flipped: Column,
 }
 
 impl Default for Stream {
     fn default() -> Self {
-        let zero = [0.0; POINTS];
+        let zero = [0.0; ROOM];
         Stream {
             count: 0,
-            ray: [0; POINTS],
-            cost: [0; POINTS],
+            place: [0; ROOM],
+            cost: [0; ROOM],
             origin: [zero; 3],
             direction: [zero; 3],
+            near: zero,
+            far: zero,
             a: zero,
             b: zero,
             t: zero,
@@ -130,65 +141,51 @@ pub(crate) struct Tools<'a> {
     pub(crate) enclosures: u64,
 }
 
+/// What one enclosure says of each ray.
+#[derive(Debug, Default)]
+struct Certified {
+    /// How far the root can be; NaN if that could not be told.
+    width: [f64; CELLS],
+    /// Whether the ray reaches its root.
+    is_hit: [bool; CELLS],
+    /// Whether the root is beyond the ray's end or beginning, which was asked.
+    is_beyond: [bool; CELLS],
+}
+
+/// N numbers of a column from some place on.
+#[inline(always)]
+fn part<const N: usize>(column: &[f64], first: usize) -> &[f64; N] {
+    column[first..].first_chunk().expect("columns are longer than what is looked at by a vector")
+}
+
 impl Stream {
-    /// Takes the rays of a crossing in a rectangle `width` pixels wide, but for those that end before it.
+    /// Takes the rays of a crossing, but for those that end before it.
     pub(crate) fn take(
         &mut self,
         crossing: &Crossing,
-        (bundle, spans, width): (&Bundle, &mut Spans, u32),
+        bundle: &Bundle,
         tools: &mut Tools,
-        found: &mut impl FnMut(&Root, &mut Spans),
+        sink: &mut impl Sink,
     ) {
-        let place = crossing.place;
-        for row in 0..place.height {
-            while self.count + place.width as usize > POINTS {
-                self.run(spans, tools, found);
-            }
-            let first = ((place.top + row) * width + place.left) as usize;
-            let mut rays = first..first + place.width as usize;
-            let ends = |i: &usize| {
-                !(spans.near[*i] <= spans.far[*i]) || crossing.a * bundle.length[*i] > spans.far[*i] * LENGTHENED
-            };
-            while let Some(start) = rays.find(|i| !ends(i)) {
-                let end = rays.find(ends).unwrap_or(rays.end);
-                self.take_row(crossing, (row, first), start..end, (bundle, spans), tools.simd);
+        let mut taken = 0;
+        while taken < crossing.place.count() {
+            taken = take(tools.simd, self, crossing, bundle, sink.spans(), taken);
+            if self.count + LANES > POINTS {
+                self.run(tools, sink);
             }
         }
-    }
-
-    /// Takes some rays of a row of a crossing whose first ray has this number.
-    fn take_row(
-        &mut self,
-        crossing: &Crossing,
-        (row, first): (u32, usize),
-        rays: Range<usize>,
-        (bundle, spans): (&Bundle, &Spans),
-        simd: Simd,
-    ) {
-        let (start, end) = (self.count, self.count + rays.len());
-        for axis in 0..3 {
-            self.origin[axis][start..end].copy_from_slice(&bundle.origin[axis][rays.clone()]);
-            self.direction[axis][start..end].copy_from_slice(&bundle.direction[axis][rays.clone()]);
-        }
-        let column = (rays.start - first) as f64;
-        let [length, near, far] = [&bundle.length, &spans.near, &spans.far].map(|all| &all[rays.clone()]);
-        guess(simd, self, crossing, [column, f64::from(row)], length, [near, far]);
-        for (slot, ray) in self.ray[start..end].iter_mut().zip(rays) {
-            *slot = ray;
-        }
-        self.cost[start..end].fill(crossing.cost);
-        self.count = end;
     }
 
     /// Finds the roots of all rays that wait.
-    pub(crate) fn run(&mut self, spans: &mut Spans, tools: &mut Tools, found: &mut impl FnMut(&Root, &mut Spans)) {
+    fn run(&mut self, tools: &mut Tools, sink: &mut impl Sink) {
         let count = std::mem::take(&mut self.count);
         let mut live = begin(tools.simd, self, tools.size, count);
         for _ in 0..MOST_STEPS {
             if live == 0 {
                 break;
             }
-            points_at(tools.simd, &self.origin, &self.direction, &self.t, tools.gradient);
+            let [origin, direction] = [&self.origin, &self.direction].map(|all| all.each_ref().map(|one| part(one, 0)));
+            points_at(tools.simd, origin, direction, part(&self.t, 0), tools.gradient);
             tools.formula.gradient().run(tools.gradient);
             tools.evaluations += live;
             let [g, x, y, z] = [0, 1, 2, 3].map(|k| &tools.formula.gradient().output(tools.gradient, k).0);
@@ -196,97 +193,153 @@ impl Stream {
         }
         face(tools.simd, self);
         for first in (0..count).step_by(CELLS) {
-            self.certify((spans, tools), first, count, found);
+            self.certify(tools, first, count, sink);
         }
     }
 
     /// Finds the roots of all rays that wait, and of those that wait once more.
-    pub(crate) fn finish(&mut self, spans: &mut Spans, tools: &mut Tools, found: &mut impl FnMut(&Root, &mut Spans)) {
+    pub(crate) fn finish(&mut self, tools: &mut Tools, sink: &mut impl Sink) {
         while self.count > 0 {
-            self.run(spans, tools, found);
+            self.run(tools, sink);
         }
     }
 
     /// Encloses g where Newton's method ended, or where the ray does. Rays that were wrongly thought to end before their root wait again.
-    fn certify(
-        &mut self,
-        (spans, tools): (&mut Spans, &mut Tools),
-        first: usize,
-        count: usize,
-        found: &mut impl FnMut(&Root, &mut Spans),
-    ) {
-        let part = |all: &[f64; POINTS]| -> [f64; CELLS] { std::array::from_fn(|k| all[first + k]) };
-        let (origin, direction) =
-            ([0, 1, 2].map(|k| part(&self.origin[k])), [0, 1, 2].map(|k| part(&self.direction[k])));
-        let t = part(&self.t);
-        place(tools.simd, &origin, &direction, &t, &t, tools.cells);
+    fn certify(&mut self, tools: &mut Tools, first: usize, count: usize, sink: &mut impl Sink) {
+        let [origin, direction] = [&self.origin, &self.direction].map(|all| all.each_ref().map(|one| part(one, first)));
+        let t = part(&self.t, first);
+        place(tools.simd, origin, direction, t, t, tools.cells);
         tools.formula.value().run(tools.cells);
-        tools.enclosures += CELLS.min(count - first) as u64;
-        let g = tools.formula.value().output(tools.cells, 0);
-        for k in 0..CELLS.min(count - first) {
+        let count = CELLS.min(count - first);
+        tools.enclosures += count as u64;
+        let mut certified = Certified::default();
+        judge(tools.simd, self, first, tools.size, tools.formula.value().output(tools.cells, 0), &mut certified);
+        for k in 0..count {
             let i = first + k;
-            let is_whole = g.flags[k] & PARTIAL == 0;
-            let (a, b) = (self.a[i], self.b[i]);
-            let (t, width) = if self.beyond[i] == 0.0 {
-                let far = g.hi[k].max(-g.lo[k]) / self.steepness[i];
-                let width = WIDTH * tools.size.max(t[k]);
-                let known = is_whole && far <= width && self.moved[i] == 0.0;
-                (t[k], if known { width } else { f64::NAN })
+            let (place, cost) = (self.place[i] as usize, self.cost[i]);
+            if certified.is_hit[k] {
+                let [x, y, z] = &self.gradient;
+                sink.hit(place, cost, self.t[i], certified.width[k], [x[i], y[i], z[i]], self.flipped[i] > 0.0);
             } else {
-                let sign = f64::from(i8::from(g.lo[k] > 0.0) - i8::from(g.hi[k] < 0.0));
-                if !(is_whole && sign == self.front[i] * self.beyond[i]) {
-                    self.wait_again(i);
-                    continue;
-                }
-                (if self.beyond[i] > 0.0 { b } else { a }, b - a)
-            };
-            let normal = DVec3::new(self.gradient[0][i], self.gradient[1][i], self.gradient[2][i]);
-            let (ray, cost, flipped) = (self.ray[i], self.cost[i], self.flipped[i] > 0.0);
-            found(&Root { ray, a, b, cost, t, width, normal, flipped }, spans);
+                self.other(i, &certified, k, sink);
+            }
         }
+    }
+
+    /// Files ray i, which has no proven root between its ends.
+    #[cold]
+    fn other(&mut self, i: usize, certified: &Certified, k: usize, sink: &mut impl Sink) {
+        let is_before = if self.beyond[i] == 0.0 { self.t[i] < self.near[i] } else { self.beyond[i] < 0.0 };
+        let end = if self.beyond[i] != 0.0 && !certified.is_beyond[k] {
+            self.wait_again(i);
+            return;
+        } else if self.beyond[i] == 0.0 && certified.width[k].is_nan() {
+            End::Unknown
+        } else if is_before {
+            End::Before
+        } else {
+            End::Behind
+        };
+        sink.other(self.place[i] as usize, self.cost[i], (self.a[i], self.b[i]), end);
     }
 
     /// Lets ray i wait once more. Those that wait are before it, for it was taken out of as many places as it stands behind.
     fn wait_again(&mut self, i: usize) {
-        let to = self.count;
-        (self.ray[to], self.cost[to]) = (self.ray[i], self.cost[i]);
-        let Stream { a, b, t, steepness, front, curvature, origin, direction, .. } = self;
-        for all in [a, b, t, steepness, front, curvature].into_iter().chain(origin).chain(direction) {
-            all[to] = all[i];
-        }
-        self.beyond[to] = 0.0;
+        self.copy(i, self.count);
+        self.beyond[self.count] = 0.0;
         self.count += 1;
+    }
+
+    /// Moves those of the rays behind all that wait which a mask has to the front, and says how many they are.
+    #[cold]
+    fn pack(&mut self, mask: u32) -> usize {
+        let mut kept = 0;
+        for i in (0..LANES).filter(|i| mask >> i & 1 != 0) {
+            self.copy(self.count + i, self.count + kept);
+            kept += 1;
+        }
+        kept
+    }
+
+    /// Writes what was taken of one ray over another.
+    fn copy(&mut self, from: usize, to: usize) {
+        (self.place[to], self.cost[to]) = (self.place[from], self.cost[from]);
+        let Stream { near, far, a, b, t, steepness, front, beyond, curvature, origin, direction, .. } = self;
+        let columns = [near, far, a, b, t, steepness, front, beyond, curvature];
+        for all in columns.into_iter().chain(origin).chain(direction) {
+            all[to] = all[from];
+        }
     }
 }
 
 for_each_level! {
-    /// Where the roots in a row of a crossing may be, from some column on.
-    fn guess[L](stream: &mut Stream, crossing: &Crossing, at: [f64; 2], length: &[f64], span: [&[f64]; 2]) {
-        let start = stream.count;
-        let ([column, row], [near, far], [depth, across, down]) = (at, span, crossing.depth);
-        let (near, far) = (&near[..length.len()], &far[..length.len()]);
-        let depth = depth + down * (row - 0.5 * f64::from(crossing.place.height - 1));
-        let middle = 0.5 * f64::from(crossing.place.width - 1) - column;
-        let end = start + length.len();
-        let (a, b, t) = (&mut stream.a[start..end], &mut stream.b[start..end], &mut stream.t[start..end]);
-        let (steepness, curvature) = (&mut stream.steepness[start..end], &mut stream.curvature[start..end]);
-        let (front, beyond) = (&mut stream.front[start..end], &mut stream.beyond[start..end]);
-        for i in 0..length.len() {
-            let long = length[i];
-            a[i] = crossing.a * long * SHORTENED;
-            b[i] = crossing.b * long * LENGTHENED;
-            let likely = (depth + across * (i as f64 - middle)) * long;
-            let inside = (likely > a[i]) & (likely < b[i]);
-            let likely = if inside { likely } else { 0.5 * (a[i] + b[i]) };
-            let behind = likely > far[i];
-            let limit = if behind { far[i] } else { near[i] };
-            let is_beyond = (behind | (likely < near[i])) & (limit > a[i] * LENGTHENED) & (limit < b[i] * SHORTENED);
-            t[i] = if is_beyond { limit } else { likely };
-            let side = if behind { 1.0 } else { -1.0 };
-            beyond[i] = if is_beyond { side } else { 0.0 };
-            front[i] = crossing.front;
-            steepness[i] = crossing.steepness / long * SHORTENED;
-            curvature[i] = crossing.curvature / (long * long);
+    /// Takes rays of a crossing from some of them on, as many as there is room for, and guesses where their roots are. Says how many have been looked at.
+    fn take[L](stream: &mut Stream, crossing: &Crossing, bundle: &Bundle, spans: &Spans, from: usize) -> usize {
+        let (first, count) = (crossing.place.first, crossing.place.count());
+        let middle = 0.5 * f64::from(crossing.place.side - 1);
+        let [depth, across, down] = crossing.depth;
+        let mut taken = from;
+        while taken < count && stream.count + LANES <= POINTS {
+            let (rays, to) = (first + taken, stream.count);
+            let [columns, rows]: [&[f64; LANES]; 2] = [part(&PLACES[0], taken), part(&PLACES[1], taken)];
+            let [length, near, far]: [&[f64; LANES]; 3] =
+                [part(&bundle.length, rays), part(&spans.near, rays), part(&spans.far, rays)];
+            let mut kept = 0u32;
+            let lanes = LANES.min(count - taken);
+            for i in 0..LANES {
+                let long = length[i];
+                let per_length = 1.0 / long;
+                let (a, b) = (crossing.a * long * SHORTENED, crossing.b * long * LENGTHENED);
+                let likely = (depth + across * (columns[i] - middle) + down * (rows[i] - middle)) * long;
+                let inside = (likely > a) & (likely < b);
+                let likely = if inside { likely } else { 0.5 * (a + b) };
+                let behind = likely > far[i];
+                let limit = if behind { far[i] } else { near[i] };
+                let is_beyond = (behind | (likely < near[i])) & (limit > a * LENGTHENED) & (limit < b * SHORTENED);
+                let side = if behind { 1.0 } else { -1.0 };
+                stream.near[to + i] = near[i];
+                stream.far[to + i] = far[i];
+                stream.a[to + i] = a;
+                stream.b[to + i] = b;
+                stream.t[to + i] = if is_beyond { limit } else { likely };
+                stream.beyond[to + i] = if is_beyond { side } else { 0.0 };
+                stream.front[to + i] = crossing.front;
+                stream.steepness[to + i] = crossing.steepness * per_length * SHORTENED;
+                stream.curvature[to + i] = crossing.curvature * per_length * per_length;
+                stream.place[to + i] = (rays + i) as u32;
+                stream.cost[to + i] = crossing.cost;
+                kept |= u32::from((near[i] <= far[i]) & (a <= far[i] * LENGTHENED)) << i;
+            }
+            for axis in 0..3 {
+                let (origin, direction): (&[f64; LANES], &[f64; LANES]) =
+                    (part(&bundle.origin[axis], rays), part(&bundle.direction[axis], rays));
+                stream.origin[axis][to..to + LANES].copy_from_slice(origin);
+                stream.direction[axis][to..to + LANES].copy_from_slice(direction);
+            }
+            let all = (1 << lanes) - 1;
+            stream.count += if kept & all == all { lanes } else { stream.pack(kept & all) };
+            taken += lanes;
+        }
+        taken
+    }
+}
+
+for_each_level! {
+    /// Judges the rays from some place on by the enclosure of g where each stands.
+    fn judge[L](stream: &Stream, first: usize, size: f64, g: &Cells, certified: &mut Certified) {
+        let [t, near, far, beyond]: [&[f64; CELLS]; 4] =
+            [&stream.t, &stream.near, &stream.far, &stream.beyond].map(|column| part(column, first));
+        let [moved, steepness, front]: [&[f64; CELLS]; 3] =
+            [&stream.moved, &stream.steepness, &stream.front].map(|column| part(column, first));
+        for k in 0..CELLS {
+            let is_whole = g.flags[k] & PARTIAL == 0;
+            let off = g.hi[k].max(-g.lo[k]) / steepness[k];
+            let width = WIDTH * if t[k] > size { t[k] } else { size };
+            let known = is_whole & (off <= width) & (moved[k] == 0.0);
+            let sign = if g.lo[k] > 0.0 { 1.0 } else { 0.0 } - if g.hi[k] < 0.0 { 1.0 } else { 0.0 };
+            certified.width[k] = if known { width } else { f64::NAN };
+            certified.is_hit[k] = known & (beyond[k] == 0.0) & (t[k] >= near[k]) & (t[k] <= far[k]);
+            certified.is_beyond[k] = is_whole & (sign == front[k] * beyond[k]);
         }
     }
 }

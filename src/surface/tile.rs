@@ -12,6 +12,7 @@
 //!   each ray has one root there.
 //! - None of these: half the slab, or four squares.
 
+use super::bundle::{BLOCK, Bundle};
 use super::kernels::Formula;
 use super::screen::{Places, Rectangle, Screen, place_forms};
 use crate::num::affine_lanes::AffineLanes;
@@ -25,7 +26,7 @@ pub(crate) const FORMS: usize = 16;
 pub(crate) type Forms = AffineLanes<FORMS>;
 
 /// The first squares, in pixels a side: smaller ones cost more in empty space, larger ones rarely settle anything.
-const LARGEST: u32 = 16;
+const LARGEST: u32 = BLOCK;
 
 /// The last squares: one ray, whose form still leans where its interval would not; what they do not settle is left to intervals.
 const SMALLEST: u32 = 1;
@@ -45,13 +46,47 @@ const MARGIN: f64 = 1e-6;
 /// A square may take this many slabs before it is cut.
 const MOST_SLABS: u32 = 12;
 
+/// A square of pixels of a rectangle, which may reach out of it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Place {
+    /// From the rectangle's corner.
+    corner: [u32; 2],
+    /// Pixels a side, a power of two that divides both.
+    pub(crate) side: u32,
+    /// Where in the bundle its rays begin.
+    pub(crate) first: usize,
+}
+
+impl Place {
+    /// How many rays it has.
+    pub(crate) fn count(self) -> usize {
+        (self.side * self.side) as usize
+    }
+
+    /// The squares that a part of a rectangle is first looked at by.
+    pub(crate) fn of(part: Rectangle, bundle: &Bundle) -> impl Iterator<Item = Place> + '_ {
+        let side = part.width.max(part.height).next_power_of_two().min(LARGEST);
+        part.parts(side).map(move |place| {
+            let corner = [part.left + place.left, part.top + place.top];
+            Place { corner, side, first: bundle.first(corner) }
+        })
+    }
+
+    /// Its four quarters, in the order of their rays.
+    fn quarters(self) -> [Place; 4] {
+        let (side, [i, j]) = (self.side / 2, self.corner);
+        [0, 1, 2, 3].map(|k| Place {
+            corner: [i + k % 2 * side, j + k / 2 * side],
+            side,
+            first: self.first + (k * side * side) as usize,
+        })
+    }
+}
+
 /// A square of pixels on its way.
 #[derive(Clone, Copy, Debug, Default)]
 struct Square {
-    /// From the rectangle's corner.
-    place: Rectangle,
-    /// Pixels a side where nothing is cut off.
-    size: u32,
+    place: Place,
     /// The slab.
     a: f64,
     b: f64,
@@ -69,8 +104,7 @@ struct Square {
 /// A slab in which every ray of a square has one root.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing {
-    /// Pixels of the rectangle.
-    pub(crate) place: Rectangle,
+    pub(crate) place: Place,
     /// The depths between which it is.
     pub(crate) a: f64,
     pub(crate) b: f64,
@@ -89,8 +123,7 @@ pub(crate) struct Crossing {
 /// A square whose rays go on one by one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rest {
-    /// Pixels of the rectangle.
-    pub(crate) place: Rectangle,
+    pub(crate) place: Place,
     /// The depth up to which they are settled, and how far to reach first.
     pub(crate) a: f64,
     pub(crate) step: f64,
@@ -150,15 +183,14 @@ impl Walk {
         formula: Formula,
         files: &mut FormFiles,
         (screen, rectangle, simd): (&Screen, Rectangle, Simd),
-        (part, limits, range): (Rectangle, (f64, f64), impl Fn(Rectangle) -> Option<(f64, f64)>),
+        (part, bundle, limits, range): (Rectangle, &Bundle, (f64, f64), impl Fn(Place) -> Option<(f64, f64)>),
         settled: &mut Settled,
     ) {
         self.open.clear();
         self.limits = limits;
-        for place in part.parts(LARGEST) {
-            let place = Rectangle { left: part.left + place.left, top: part.top + place.top, ..place };
+        for place in Place::of(part, bundle) {
             if let Some((a, end)) = range(place) {
-                self.open.push(Square { place, size: LARGEST, a, b: end, end, fresh: true, ..Square::default() });
+                self.open.push(Square { place, a, b: end, end, fresh: true, ..Square::default() });
             }
         }
         while !self.open.is_empty() || !self.crossed.is_empty() {
@@ -179,9 +211,9 @@ impl Walk {
         (screen, rectangle, simd): (&Screen, Rectangle, Simd),
     ) {
         for (lane, square) in squares.iter().enumerate() {
-            let Rectangle { left, top, .. } = square.place;
-            let place = Rectangle { left: rectangle.left + left, top: rectangle.top + top, ..square.place };
-            let [middle, half] = screen.square(place);
+            let Place { corner: [left, top], side, .. } = square.place;
+            let corner = [rectangle.left + left, rectangle.top + top];
+            let [middle, half] = screen.rectangle(corner, [side; 2]);
             for axis in 0..2 {
                 self.places.middle[axis][lane] = middle[axis];
                 self.places.half[axis][lane] = half[axis];
@@ -215,7 +247,7 @@ impl Walk {
                 Verdict::Empty => {}
                 Verdict::Again => self.open.push(*square),
                 Verdict::Crossed => self.crossed.push(*square),
-                Verdict::Cut => self.cut(square, settled),
+                Verdict::Cut => self.cut(square, view.1, settled),
             }
         }
     }
@@ -248,31 +280,21 @@ impl Walk {
             if smooth && steepness > 0.0 {
                 settled.crossings.push(square.crossing(g, slope, lane, view.0));
             } else {
-                self.cut(square, settled);
+                self.cut(square, view.1, settled);
             }
         }
     }
 
     /// Four squares, or single rays.
-    fn cut(&mut self, square: &Square, settled: &mut Settled) {
-        if square.size <= SMALLEST {
+    fn cut(&mut self, square: &Square, rectangle: Rectangle, settled: &mut Settled) {
+        if square.place.side <= SMALLEST {
             let Square { place, a, b, cost, .. } = *square;
             settled.rest.push(Rest { place, a, step: b - a, cost });
             return;
         }
-        let half = square.size / 2;
-        let Rectangle { left, top, width, height } = square.place;
-        for (x, y) in [(0, 0), (half, 0), (0, half), (half, half)] {
-            if x < width && y < height {
-                let (width, height) = (half.min(width - x), half.min(height - y));
-                self.open.push(Square {
-                    place: Rectangle { left: left + x, top: top + y, width, height },
-                    size: half,
-                    slabs: 0,
-                    ..*square
-                });
-            }
-        }
+        let is_inside = |place: &Place| place.corner[0] < rectangle.width && place.corner[1] < rectangle.height;
+        let quarters = square.place.quarters().into_iter().filter(is_inside);
+        self.open.extend(quarters.map(|place| Square { place, slabs: 0, ..*square }));
     }
 }
 
@@ -347,7 +369,7 @@ impl Square {
     }
 
     fn halve(&mut self, screen: &Screen) -> Verdict {
-        let width = screen.width_at(self.size, 0.5 * (self.a + self.b));
+        let width = screen.width_at(self.place.side, 0.5 * (self.a + self.b));
         if self.b - self.a > LONG * width && self.slabs < 2 * MOST_SLABS { self.halved() } else { Verdict::Cut }
     }
 
@@ -356,11 +378,11 @@ impl Square {
         let half = 0.5 * (b - a);
         let per = -half / g.slope[2][lane];
         // A symbol goes from −1 to 1 over the centres of the square's pixels.
-        let per_pixel = |axis: usize, count: u32| 2.0 * screen.step[axis].signum() / f64::from(count.max(2) - 1);
+        let per_pixel = |axis: usize| 2.0 * screen.step[axis].signum() / f64::from(place.side.max(2) - 1);
         let depth = [
             0.5 * (a + b) + per * g.center[lane],
-            per * g.slope[0][lane] * per_pixel(0, place.width),
-            per * g.slope[1][lane] * per_pixel(1, place.height),
+            per * g.slope[0][lane] * per_pixel(0),
+            per * g.slope[1][lane] * per_pixel(1),
         ];
         let (lo, hi) = slope.bounds(lane);
         let (steepness, front) = (lo.max(-hi), if lo > 0.0 { -1.0 } else { 1.0 });

@@ -6,7 +6,7 @@
 mod singles;
 mod squares;
 
-use super::bundle::{Bundle, Spans};
+use super::bundle::{Asked, Bundle, Spans};
 use super::hit::{Counts, Hit, Outcome, Ray};
 use super::isolate::{Found, Open, Pool};
 use super::march::Marcher;
@@ -84,10 +84,10 @@ impl View<'_> {
 
 /// The batch at hand.
 struct Job<'a> {
-    rays: &'a [Ray],
+    rays: Asked<'a>,
     hits: &'a mut [Hit],
-    /// The distance from which on a ray's emptiness is not proven.
-    doubt: Vec<f64>,
+    /// Rays whose emptiness is not proven, each with a distance from which on.
+    doubt: Vec<(u32, f64)>,
     /// Hits whose normal is still to be found, with the distance to take it at.
     bare: Vec<(u32, f64)>,
     surface: u32,
@@ -118,7 +118,7 @@ impl<'a> Tracer<'a> {
     ///
     /// A root at the very start (within 1e-12 of the region's size) is the one the eye is on, and is skipped.
     pub fn trace(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
-        self.run(rays, SKIPPED, None, hits);
+        self.run(Asked::List(rays), SKIPPED, None, hits);
     }
 
     /// The same for the rays through the centres of a rectangle's pixels, row by row: many at once, where that can be.
@@ -126,18 +126,18 @@ impl<'a> Tracer<'a> {
         let simd = self.surfaces.first().map_or(Simd::Portable, |surface| surface.simd);
         let mut bundle = std::mem::take(&mut self.bundle);
         bundle.fill(screen, rectangle, simd);
-        self.run(&bundle.rays, SKIPPED, Some(View { screen, rectangle, bundle: &bundle }), hits);
+        self.run(Asked::Bundle(&bundle), SKIPPED, Some(View { screen, rectangle, bundle: &bundle }), hits);
         self.bundle = bundle;
     }
 
-    /// The rays of the last rectangle; what `rays` held is used again.
-    pub fn take_rays(&mut self, rays: &mut Vec<Ray>) {
-        std::mem::swap(rays, &mut self.bundle.rays);
+    /// The rays of the last rectangle, row by row; what `rays` held is gone.
+    pub fn rays(&self, rays: &mut Vec<Ray>) {
+        self.bundle.list(rays);
     }
 
     /// The same for rays that start beside a surface, at [`Hit::near`] or a point of [`Tracer::starts`]: nothing is skipped.
     pub fn trace_from_surface(&mut self, rays: &[Ray], hits: &mut Vec<Hit>) {
-        self.run(rays, 0.0, None, hits);
+        self.run(Asked::List(rays), 0.0, None, hits);
     }
 
     /// Points from which rays can leave what was hit, on the side asked for: beside the surface by as little as proves
@@ -183,16 +183,16 @@ impl<'a> Tracer<'a> {
         Some(is_negative)
     }
 
-    fn run(&mut self, rays: &[Ray], skipped: f64, view: Option<View>, hits: &mut Vec<Hit>) {
+    fn run(&mut self, rays: Asked, skipped: f64, view: Option<View>, hits: &mut Vec<Hit>) {
         hits.clear();
-        hits.resize(rays.len(), Hit::NONE);
         self.counts.rays += rays.len() as u64;
         if let Method::March { step } = self.method {
+            hits.resize(rays.len(), Hit::NONE);
             self.marcher.run(self.surfaces, step, skipped, rays, hits, &mut self.counts);
             return;
         }
-        let mut job =
-            Job { rays, hits, doubt: vec![f64::INFINITY; rays.len()], bare: Vec::new(), surface: 0, sheet: 0 };
+        hits.resize(rays.len(), Hit { proven: true, ..Hit::NONE });
+        let mut job = Job { rays, hits, doubt: Vec::new(), bare: Vec::new(), surface: 0, sheet: 0 };
         for (index, surface) in self.surfaces.iter().enumerate() {
             job.surface = index as u32;
             for k in 0..surface.sheets.len() {
@@ -200,8 +200,9 @@ impl<'a> Tracer<'a> {
                 self.sheet(index, k, skipped, view, &mut job);
             }
         }
-        for (hit, &doubt) in job.hits.iter_mut().zip(&job.doubt) {
-            hit.proven = matches!(hit.outcome, Outcome::Miss | Outcome::Hit) && (doubt >= hit.t);
+        for (ray, doubt) in job.doubt {
+            let hit = &mut job.hits[ray as usize];
+            hit.proven &= doubt >= hit.t;
         }
     }
 
@@ -223,15 +224,15 @@ impl Job<'_> {
     fn settle(&mut self, open: Open, outcome: Outcome, t: f64, width: f64) {
         let hit = &mut self.hits[open.ray as usize];
         let cost = hit.cost + open.slabs;
-        let (near, far) = ((t - width).max(0.0), t + width);
-        *hit = Hit { outcome, t, width, near, far, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
+        let (near, far, proven) = ((t - width).max(0.0), t + width, outcome == Outcome::Hit);
+        *hit = Hit { outcome, proven, t, width, near, far, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
     }
 
     /// The normal of a hit from the gradient, turned against the ray.
     fn turn(&mut self, ray: u32, gradient: DVec3) {
         let hit = &mut self.hits[ray as usize];
         let normal = gradient.try_normalize().unwrap_or(DVec3::NAN);
-        hit.flipped = normal.dot(self.rays[ray as usize].direction) > 0.0;
+        hit.flipped = normal.dot(self.rays.ray(ray).direction) > 0.0;
         hit.normal = if hit.flipped { -normal } else { normal };
     }
 }

@@ -18,8 +18,9 @@ const SHORT_OF_TOUCH: f64 = 1e-5;
 
 impl Tracer<'_> {
     pub(super) fn open_rays(&mut self, surface: &Surface, skipped: f64, job: &Job) {
-        for (number, (ray, hit)) in job.rays.iter().zip(&*job.hits).enumerate() {
-            let Some((t0, t1)) = surface.span(ray) else { continue };
+        for (number, hit) in job.hits.iter().enumerate() {
+            let ray = job.rays.ray(number as u32);
+            let Some((t0, t1)) = surface.span(&ray) else { continue };
             let (a, end) = (t0.max(skipped * surface.size), t1.min(hit.t).min(FAR).min(ray.end));
             if a <= end {
                 self.open.push(Open { ray: number as u32, a, end, step: end - a, slabs: 0 });
@@ -42,8 +43,8 @@ impl Tracer<'_> {
             let memory = &mut self.files[index][k];
             let mut scratch = Scratch { leaves: &mut memory.leaves, value: &mut memory.registers.forms.value };
             for open in waiting.drain(..) {
-                let ray = &job.rays[open.ray as usize];
-                match map.piece(&sheet.kernels, ray, (open.a, open.end), &mut scratch) {
+                let ray = job.rays.ray(open.ray);
+                match map.piece(&sheet.kernels, &ray, (open.a, open.end), &mut scratch) {
                     Some(piece) => pieces.push((piece, open)),
                     None => job.hits[open.ray as usize].cost += open.slabs,
                 }
@@ -124,12 +125,12 @@ impl Tracer<'_> {
 
     /// Settles the stretch from `open.a` to `b` of one ray.
     fn careful(&mut self, surface: &Surface, index: usize, k: usize, open: Open, b: f64, job: &mut Job) {
-        let ray = &job.rays[open.ray as usize];
+        let ray = job.rays.ray(open.ray);
         let memory = &mut self.files[index][k];
         let mut careful = Careful {
             sheet: &surface.sheets[k],
             kind: surface.kind,
-            ray,
+            ray: &ray,
             size: surface.size,
             scratch: &mut memory.scalar,
             sides: &mut memory.sides,
@@ -141,8 +142,7 @@ impl Tracer<'_> {
         match end {
             End::Empty { proven } => {
                 if !proven {
-                    let doubt = &mut job.doubt[open.ray as usize];
-                    *doubt = doubt.min(open.a);
+                    job.doubt.push((open.ray, open.a));
                 }
                 self.resume(open, b, job);
             }
@@ -178,11 +178,10 @@ impl Tracer<'_> {
         let registers = &mut self.files[index][k].registers.gradient;
         for chunk in bare.chunks(POINTS) {
             let at = |i: usize| &chunk[i.min(chunk.len() - 1)];
-            let part =
-                |pick: fn(&Ray) -> DVec3, axis: usize| std::array::from_fn(|i| pick(&job.rays[at(i).0 as usize])[axis]);
-            let origin = [0, 1, 2].map(|axis| part(|r| r.origin, axis));
-            let direction = [0, 1, 2].map(|axis| part(|r| r.direction, axis));
-            points_at(surface.simd, &origin, &direction, &std::array::from_fn(|i| at(i).1), registers);
+            let rays: [Ray; POINTS] = std::array::from_fn(|i| job.rays.ray(at(i).0));
+            let origin = [0, 1, 2].map(|axis| rays.map(|ray| ray.origin[axis]));
+            let direction = [0, 1, 2].map(|axis| rays.map(|ray| ray.direction[axis]));
+            points_at(surface.simd, origin.each_ref(), direction.each_ref(), &std::array::from_fn(|i| at(i).1), registers);
             kernel.run(registers);
             self.counts.gradients += chunk.len() as u64;
             for (i, &(ray, _)) in chunk.iter().enumerate() {

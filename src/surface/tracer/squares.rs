@@ -5,15 +5,15 @@
 
 use super::{FAR, Job, Tiles, Tracer, View};
 use crate::closure::specialise::SLABS;
-use crate::num::level::{Simd, for_each_level};
-use crate::surface::bundle::{Bundle, Spans};
+use crate::num::level::Simd;
+use crate::surface::bundle::{Bundle, SHORTENED, Spans};
 use crate::surface::hit::Outcome;
 use crate::surface::isolate::Open;
 use crate::surface::kernels::{Formula, Program};
 use crate::surface::screen::{Rectangle, place_cells};
 use crate::surface::sheet::Surface;
-use crate::surface::stream::{LENGTHENED, Root, SHORTENED, Tools};
-use crate::surface::tile::Rest;
+use crate::surface::stream::{End, Sink, Tools};
+use crate::surface::tile::{Place, Rest};
 use std::ops::Range;
 
 /// A rectangle in which more arguments than this matter is quartered.
@@ -24,9 +24,6 @@ const SMALLEST: u32 = 8;
 
 /// What matters is found out for this many layers of each quarter, one behind the other.
 const LAYERS: usize = SLABS / 4;
-
-/// How many rays are asked at once for their depths.
-const LANES: usize = 8;
 
 /// Pixels of the rectangle between two depths.
 #[derive(Clone, Copy)]
@@ -73,9 +70,9 @@ impl Tracer<'_> {
         job: &mut Job,
     ) {
         let spans = &mut self.tiles.spans;
-        spans.fill(view.bundle, &surface.shapes, skipped * surface.size, surface.simd);
-        for (far, hit) in spans.far.iter_mut().zip(&*job.hits) {
-            *far = far.min(hit.t).min(FAR);
+        spans.fill(view.bundle, &surface.shapes, (skipped * surface.size, FAR), surface.simd);
+        if (index, k) != (0, 0) {
+            spans.end_at(view.bundle, job.hits);
         }
         let Rectangle { width, height, .. } = view.rectangle;
         let all = Rectangle { left: 0, top: 0, width, height };
@@ -86,11 +83,11 @@ impl Tracer<'_> {
     /// Settles a part of the rectangle between two depths, where these arguments matter (`None`: all).
     fn part(&mut self, here: Here, view: View, block: Block, among: Option<&[u32]>, job: &mut Job) {
         let sheet = &here.surface.sheets[here.k];
-        let Some(block) = self.shrunk(here.surface.simd, view, block) else { return };
         let Some(parts) = &sheet.kernels.parts else {
             self.walk(here, sheet.kernels.whole(), view, block, job);
             return;
         };
+        let Some(block) = self.shrunk(here.surface.simd, view, block) else { return };
         let every: Vec<u32>;
         let among = match among {
             Some(among) => among,
@@ -153,7 +150,10 @@ impl Tracer<'_> {
 
     /// A block without what lies in front of and behind the rays that are still looked at; `None` if there are none.
     fn shrunk(&self, simd: Simd, view: View, block: Block) -> Option<Block> {
-        let depths = depths(simd, view.bundle, &self.tiles.spans, block.place, view.rectangle.width);
+        let spans = &self.tiles.spans;
+        let each = Place::of(block.place, view.bundle);
+        let depths = each.filter_map(|square| spans.depths(view.bundle, square.first, square.count(), simd));
+        let depths = depths.reduce(|(a, end), (b, last)| (a.min(b), end.max(last)));
         depths.and_then(|found| meet(beyond(found), block.depths)).map(|depths| Block { depths, ..block })
     }
 
@@ -170,95 +170,77 @@ impl Tracer<'_> {
         let Tiles { walk, settled, stream, spans } = &mut self.tiles;
         settled.clear();
         let registers = &mut self.files[index][k].registers;
-        let range = |square: Rectangle| {
-            depths(simd, bundle, spans, square, rectangle.width).and_then(|found| meet(found, block.depths))
+        let range = |square: Place| {
+            let found = spans.depths(bundle, square.first, square.count(), simd);
+            found.and_then(|found| meet(found, block.depths))
         };
-        let region = (block.place, block.depths, range);
+        let region = (block.place, bundle, block.depths, range);
         walk.run(formula, &mut registers.forms, (screen, rectangle, simd), region, settled);
         self.counts.cells += settled.cells;
         let (gradient, cells) = (&mut registers.gradient, &mut registers.cells.value);
         let mut tools = Tools { formula, gradient, cells, size, simd, evaluations: 0, enclosures: 0 };
-        let open = &mut self.open;
-        let mut found = |root: &Root, spans: &mut Spans| file(root, spans, open, job);
+        let mut filing = Filing { bundle, spans, open: &mut self.open, job };
         for crossing in &settled.crossings {
-            stream.take(crossing, (bundle, spans, rectangle.width), &mut tools, &mut found);
+            stream.take(crossing, bundle, &mut tools, &mut filing);
         }
-        stream.finish(spans, &mut tools, &mut found);
+        stream.finish(&mut tools, &mut filing);
         self.counts.gradients += tools.evaluations;
         self.counts.cells += tools.enclosures;
         for &Rest { place, a, step, cost } in &settled.rest {
-            for i in place.numbers(rectangle.width) {
+            for i in place.first..place.first + place.count() {
                 let (t0, t1, long) = (spans.near[i], spans.far[i], bundle.length[i]);
                 let a = t0.max(a * long * SHORTENED);
                 if a <= t1 {
                     spans.far[i] = a;
-                    self.open.push(Open { ray: i as u32, a, end: t1, step: step * long, slabs: cost });
+                    self.open.push(Open { ray: bundle.pixel[i], a, end: t1, step: step * long, slabs: cost });
                 }
             }
         }
     }
 }
 
-/// Files what became of a ray: its hit, or what of it is still open.
-fn file(root: &Root, spans: &mut Spans, open: &mut Vec<Open>, job: &mut Job) {
-    let (t0, t1) = (spans.near[root.ray], spans.far[root.ray]);
-    let (ray, a) = (root.ray as u32, root.a.max(t0));
-    let again = Open { ray, a, end: t1, step: root.b - root.a, slabs: root.cost };
-    let far = &mut spans.far[root.ray];
-    match root.t {
-        _ if !(t0 <= t1) || a > t1 => {}
-        _ if root.width.is_nan() => {
-            *far = a;
-            open.push(again);
-        }
-        t if t < t0 => {
-            *far = f64::NEG_INFINITY;
-            open.extend((root.b < t1).then_some(Open { a: root.b.max(t0), ..again }));
-        }
-        t if t <= t1 => {
-            *far = t;
-            job.settle(again, Outcome::Hit, t, root.width);
-            let hit = &mut job.hits[root.ray];
-            (hit.normal, hit.flipped) = (root.normal, root.flipped);
-        }
-        _ => job.hits[root.ray].cost += root.cost,
-    }
+/// Files what the stream finds.
+struct Filing<'a, 'b> {
+    bundle: &'a Bundle,
+    spans: &'a mut Spans,
+    open: &'a mut Vec<Open>,
+    job: &'a mut Job<'b>,
 }
 
-/// Between which depths any of the rays in a place of a rectangle `width` pixels wide is looked at.
-fn depths(simd: Simd, bundle: &Bundle, spans: &Spans, place: Rectangle, width: u32) -> Option<(f64, f64)> {
-    let mut found = [[f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]];
-    for row in place.top..place.top + place.height {
-        let first = (row * width + place.left) as usize;
-        let rays = first..first + place.width as usize;
-        let [near, far, length] = [&spans.near, &spans.far, &bundle.length].map(|all| &all[rays.clone()]);
-        widen(simd, near, far, length, &mut found);
+impl Sink for Filing<'_, '_> {
+    fn spans(&self) -> &Spans {
+        self.spans
     }
-    let [a, end] =
-        [found[0].into_iter().fold(f64::INFINITY, f64::min), found[1].into_iter().fold(f64::NEG_INFINITY, f64::max)];
-    (a <= end).then_some((a * SHORTENED, end * LENGTHENED))
-}
 
-for_each_level! {
-    /// Takes the depths of some rays into the least and largest that are known.
-    fn widen[L](near: &[f64], far: &[f64], length: &[f64], found: &mut [[f64; LANES]; 2]) {
-        let [mut least, mut most] = *found;
-        let (near, far, length) = (near.as_chunks::<LANES>(), far.as_chunks::<LANES>(), length.as_chunks::<LANES>());
-        for ((near, far), length) in near.0.iter().zip(far.0).zip(length.0) {
-            for i in 0..LANES {
-                let (a, end) = (near[i] / length[i], far[i] / length[i]);
-                let is_open = near[i] <= far[i];
-                least[i] = if is_open & (a < least[i]) { a } else { least[i] };
-                most[i] = if is_open & (end > most[i]) { end } else { most[i] };
+    #[inline(always)]
+    fn hit(&mut self, place: usize, cost: u32, t: f64, width: f64, [x, y, z]: [f64; 3], flipped: bool) {
+        self.spans.far[place] = t;
+        let (surface, sheet) = (self.job.surface, self.job.sheet);
+        let hit = &mut self.job.hits[self.bundle.pixel[place] as usize];
+        // Number by number: a copy in larger pieces would wait until all of them are in memory.
+        (hit.outcome, hit.proven, hit.flipped) = (Outcome::Hit, true, flipped);
+        (hit.t, hit.near, hit.far, hit.width) = (t, (t - width).max(0.0), t + width, width);
+        (hit.surface, hit.sheet) = (surface, sheet);
+        (hit.normal.x, hit.normal.y, hit.normal.z) = (x, y, z);
+        hit.cost += cost;
+    }
+
+    fn other(&mut self, place: usize, cost: u32, (a, b): (f64, f64), end: End) {
+        let (t0, t1) = (self.spans.near[place], self.spans.far[place]);
+        let ray = self.bundle.pixel[place];
+        let again = Open { ray, a: a.max(t0), end: t1, step: b - a, slabs: cost };
+        match end {
+            _ if again.a > t1 => {}
+            End::Unknown => {
+                self.spans.far[place] = again.a;
+                self.open.push(again);
             }
-        }
-        for ((near, far), length) in near.1.iter().zip(far.1).zip(length.1) {
-            if near <= far {
-                least[0] = least[0].min(near / length);
-                most[0] = most[0].max(far / length);
+            End::Before => {
+                self.spans.far[place] = f64::NEG_INFINITY;
+                self.open.extend((b < t1).then_some(Open { a: b.max(t0), ..again }));
             }
+            End::Behind => self.job.hits[ray as usize].cost += cost,
         }
-        *found = [least, most];
     }
 }
 
