@@ -10,12 +10,14 @@
 //! - [`interval`]: one interval, rounded outward, with what is known of the function on it.
 //! - [`interval_lanes`]: a fixed-size array of those.
 //! - [`affine_lanes`]: a fixed-size array of affine forms: enclosures that know how they lean.
+//! - [`ball_lanes`]: a fixed-size array of balls: points that know how far they are off.
 //! - [`rational`]: exact fractions, and the f64 and the interval nearest to one.
 
 // Comparisons are negated where NaN has to fall to the side that decides nothing.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 pub mod affine_lanes;
+pub mod ball_lanes;
 pub mod func;
 pub mod fused;
 pub mod interval;

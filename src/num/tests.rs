@@ -5,6 +5,7 @@
 
 #![allow(clippy::print_stdout)]
 
+use super::ball_lanes::BallLanes;
 use super::interval::{Defined, Enclosure, Interval};
 use super::interval_lanes::IntervalLanes;
 use super::lanes::Lanes;
@@ -222,5 +223,62 @@ fn the_pair_of_sine_and_cosine_is_both() {
         Lanes::sin::<Portable>(&a, &mut sin);
         Lanes::cos::<Portable>(&a, &mut cos);
         assert_eq!((s.0.map(f64::to_bits), c.0.map(f64::to_bits)), (sin.0.map(f64::to_bits), cos.0.map(f64::to_bits)));
+    }
+}
+
+/// Balls around random numbers, and values anywhere in them. Most of those that are as narrow as roundings must be known.
+#[test]
+fn values_never_escape_their_balls() {
+    for trial in trials() {
+        let mut random = Random(21);
+        let (mut narrow, mut known) = (0, 0);
+        for _ in 0..CASES / 64 {
+            let mut ball = || {
+                let center = Lanes(std::array::from_fn(|_| random.number()));
+                let widths = [0.0, 1e-16, 1e-15, 1e-12, 1e-6, 0.1, 2.0];
+                let radius = center.0.map(|c| {
+                    let scale = if random.bits() >> 9 & 1 == 0 { c.abs() } else { 1.0 };
+                    widths[(random.bits() >> 7) as usize % widths.len()] * scale
+                });
+                BallLanes { center, radius: Lanes(radius) }
+            };
+            let (a, b) = (ball(), ball());
+            let mut out = a;
+            (trial.balls)(Simd::best(), 1, &a, &b, &mut out);
+            let mut points = a.center;
+            (trial.points)(Simd::best(), 1, &a.center, &b.center, &mut points);
+            for i in 0..64 {
+                let (center, radius) = (out.center.0[i], out.radius.0[i]);
+                let same = center.to_bits() == points.0[i].to_bits() || (center.is_nan() && points.0[i].is_nan());
+                assert!(same, "{}: the centre {center:e} is not the point {:e}", trial.name, points.0[i]);
+                if a.radius.0[i].max(b.radius.0[i]) <= 1e-12 * points.0[i].abs() {
+                    narrow += 1;
+                    known += u32::from(radius <= 1e-6 * center.abs());
+                }
+                for _ in 0..8 {
+                    let mut inside = |ball: &BallLanes<64>| {
+                        let (c, r) = (ball.center.0[i], ball.radius.0[i]);
+                        let x = match random.bits() >> 9 & 3 {
+                            0 => c - r,
+                            1 => c + r,
+                            _ => c + r * (2.0 * random.unit() - 1.0),
+                        };
+                        // Rounding must not lead out of the ball.
+                        if (x - c).abs() < r { x } else { c }
+                    };
+                    let args = [inside(&a), inside(&b)];
+                    let exact = (trial.exact)(args[0], args[1]);
+                    if radius.is_finite() && center.is_finite() && exact.is_finite() {
+                        // The reference is rounded too.
+                        let ulp = exact.abs().next_up() - exact.abs();
+                        let context = (trial.name, args, exact, (center, radius));
+                        assert!((exact - center).abs() <= radius * (1.0 + f64::EPSILON) + ulp, "{context:?}");
+                    }
+                }
+            }
+        }
+        println!("{}: {known} of {narrow} narrow ones known", trial.name);
+        // Whole numbers are at a jump of the floor.
+        assert!(known * 4 >= narrow * 3, "{}: {known} of {narrow}", trial.name);
     }
 }

@@ -4,6 +4,7 @@
 //! correctly rounded value. Separate because several tests walk the same table; compiled for tests alone.
 
 use super::affine_lanes::AffineLanes;
+use super::ball_lanes::BallLanes;
 use super::func;
 use super::interval::Enclosure;
 use super::interval_lanes::IntervalLanes;
@@ -22,6 +23,7 @@ pub(super) struct Trial {
     pub(super) points: Runner<Lanes<64>>,
     pub(super) cells: Runner<IntervalLanes<16>>,
     pub(super) forms: Runner<AffineLanes<16>>,
+    pub(super) balls: Runner<BallLanes<64>>,
     pub(super) enclosure: fn(Enclosure, Enclosure) -> Enclosure,
     pub(super) exact: fn(f64, f64) -> f64,
 }
@@ -130,6 +132,7 @@ macro_rules! trial {
             points: $name,
             cells: $name,
             forms: $name,
+            balls: $name,
             enclosure: |$a, $b| {
                 let _ = $b;
                 $enclosure

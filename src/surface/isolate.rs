@@ -246,6 +246,10 @@ fn narrow(formula: Formula) -> f64 {
     if value >= LONG || slope >= COSTLY * value { NARROW } else { f64::INFINITY }
 }
 
+/// What points of a ray are off by rounding, as parts of the distance and of the origin's coordinates: 2^-50 and 2^-52, see [`place`].
+pub(crate) const PER_DISTANCE: f64 = 1.0 / (1u64 << 50) as f64;
+pub(crate) const PER_ORIGIN: f64 = 1.0 / (1u64 << 52) as f64;
+
 for_each_level! {
     /// Encloses the points of slab [a, b] of each lane's ray in the registers of the variables.
     ///
@@ -255,8 +259,6 @@ for_each_level! {
     pub(crate) fn place[L](
         origin: [&[f64; CELLS]; 3], direction: [&[f64; CELLS]; 3], a: &[f64; CELLS], b: &[f64; CELLS], cells: &mut [Cells],
     ) {
-        const PER_DISTANCE: f64 = 1.0 / (1u64 << 50) as f64;
-        const PER_ORIGIN: f64 = 1.0 / (1u64 << 52) as f64;
         for axis in 0..3 {
             let (o, d) = (origin[axis], direction[axis]);
             let cell = &mut cells[axis];

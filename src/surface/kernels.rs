@@ -4,7 +4,7 @@
 //! arguments, which is lists of their steps, each made when it is first asked for; and the [`Formula`] at hand, which is one of the
 //! two. Separate from the sheet because squares, single rays and the index each have a formula of their own at hand.
 
-use super::sheet::{Cells, Points};
+use super::sheet::{Balls, Cells, Points};
 use super::tile::Forms;
 use crate::closure::shorten::{Fork, Shortener, is_private};
 use crate::closure::specialise::{Choices, Slabs};
@@ -23,6 +23,7 @@ pub(crate) struct Kernels {
     value_form: Kernel<Forms>,
     slope_form: Kernel<Forms>,
     point: Kernel<Points>,
+    ball: Kernel<Balls>,
     gradient: Kernel<Points>,
     /// What can be left out.
     pub(crate) parts: Option<Parts>,
@@ -125,6 +126,7 @@ impl Kernels {
             value_form: Kernel::with_copies(&tapes[0], &value, simd),
             slope_form: Kernel::with_copies(&tapes[1], &slope, simd),
             point: Kernel::with_copies(&tapes[2], &point, simd),
+            ball: Kernel::with_copies(&tapes[2], &point, simd),
             gradient: Kernel::with_copies(&tapes[3], &gradient, simd),
             parts: found.map(|(choices, [of_value, ..])| {
                 let tape = Tape::new(graph, &nested[1 + choices.forks.len()..]);
@@ -195,6 +197,8 @@ impl<'a> Formula<'a> {
         slope_form from slope of 2: Forms;
         /// g at points.
         point from point of 1: Points;
+        /// g at points, and how far it is off.
+        ball from point of 1: Balls;
         /// g, g_x, g_y, g_z at points.
         gradient from gradient of 4: Points;
     }

@@ -5,7 +5,7 @@
 
 use super::isolate::CellFiles;
 use super::kernels::Parts;
-use super::sheet::{Points, Sheet};
+use super::sheet::{Balls, Points, Sheet};
 use super::tile::FormFiles;
 use crate::closure::pieces::Scratch;
 use crate::closure::specialise::Slabs;
@@ -15,6 +15,7 @@ pub(crate) struct Registers {
     pub(crate) cells: CellFiles,
     pub(crate) forms: FormFiles,
     pub(crate) point: Vec<Points>,
+    pub(crate) balls: Vec<Balls>,
     pub(crate) gradient: Vec<Points>,
 }
 
@@ -35,6 +36,7 @@ impl Memory {
                 cells: CellFiles { value: formula.value().registers(), slope: formula.slope().registers() },
                 forms: FormFiles { value: formula.value_form().registers(), slope: formula.slope_form().registers() },
                 point: formula.point().registers(),
+                balls: formula.ball().registers(),
                 gradient: formula.gradient().registers(),
             },
             leaves: sheet.kernels.parts.as_ref().map_or_else(Vec::new, Parts::registers),

@@ -12,6 +12,7 @@ use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::{along_ray, gradient};
 use crate::expr::equation::{self, Sign};
 use crate::expr::graph::{Graph, NodeId};
+use crate::num::ball_lanes::BallLanes;
 use crate::num::interval_lanes::IntervalLanes;
 use crate::num::lanes::Lanes;
 use crate::num::level::Simd;
@@ -27,6 +28,9 @@ pub type Cells = IntervalLanes<CELLS>;
 
 /// Values at [`POINTS`] points.
 pub type Points = Lanes<POINTS>;
+
+/// The same, and how far they are off.
+pub type Balls = BallLanes<POINTS>;
 
 /// What of a function is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

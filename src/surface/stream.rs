@@ -2,13 +2,13 @@
 //!
 //! In: rays with a bracket in which g has exactly one root and its slope along the ray is at least so steep. Out: roots. A point
 //! t of the bracket is within |g(t)| / steepness of the root (mean value theorem), so that an enclosure of g at t alone
-//! proves how near it is. Separate from [`super::refine`], which knows less of its brackets and must look at both sides.
+//! proves how near it is: a ball, or where that says too little an interval. Separate from [`super::refine`], which knows less of its brackets and must look at both sides.
 
 use super::bundle::{BEYOND, Bundle, LENGTHENED, PLACES, SHORTENED, Spans};
-use super::isolate::place;
+use super::isolate::{PER_DISTANCE, PER_ORIGIN, place};
 use super::kernels::Formula;
 use super::refine::{WIDTH, points_at};
-use super::sheet::{CELLS, Cells, POINTS, Points};
+use super::sheet::{Balls, CELLS, Cells, POINTS, Points};
 use super::tile::Crossing;
 use crate::num::interval_lanes::PARTIAL;
 use crate::num::level::{Level, Simd, for_each_level};
@@ -129,8 +129,9 @@ impl Default for Stream {
 /// What a stream computes with.
 pub(crate) struct Tools<'a> {
     pub(crate) formula: Formula<'a>,
-    /// Registers of the sheet's gradient at points, and of its values over pieces of rays.
+    /// Registers of the sheet's gradient at points, and of its values around points and over pieces of rays.
     pub(crate) gradient: &'a mut [Points],
+    pub(crate) balls: &'a mut [Balls],
     pub(crate) cells: &'a mut [Cells],
     /// The length that tolerances are measured by.
     pub(crate) size: f64,
@@ -141,15 +142,23 @@ pub(crate) struct Tools<'a> {
     pub(crate) enclosures: u64,
 }
 
-/// What one enclosure says of each ray.
-#[derive(Debug, Default)]
+/// What g is at least and at most where each ray stands, and whether that is worth anything.
+#[derive(Debug)]
+struct Known {
+    lo: [f64; POINTS],
+    hi: [f64; POINTS],
+    is_whole: [bool; POINTS],
+}
+
+/// What that says of each ray.
+#[derive(Debug)]
 struct Certified {
     /// How far the root can be; NaN if that could not be told.
-    width: [f64; CELLS],
+    width: [f64; POINTS],
     /// Whether the ray reaches its root.
-    is_hit: [bool; CELLS],
+    is_hit: [bool; POINTS],
     /// Whether the root is beyond the ray's end or beginning, which was asked.
-    is_beyond: [bool; CELLS],
+    is_beyond: [bool; POINTS],
 }
 
 /// N numbers of a column from some place on.
@@ -160,13 +169,7 @@ fn part<const N: usize>(column: &[f64], first: usize) -> &[f64; N] {
 
 impl Stream {
     /// Takes the rays of a crossing, but for those that end before it.
-    pub(crate) fn take(
-        &mut self,
-        crossing: &Crossing,
-        bundle: &Bundle,
-        tools: &mut Tools,
-        sink: &mut impl Sink,
-    ) {
+    pub(crate) fn take(&mut self, crossing: &Crossing, bundle: &Bundle, tools: &mut Tools, sink: &mut impl Sink) {
         let mut taken = 0;
         while taken < crossing.place.count() {
             taken = take(tools.simd, self, crossing, bundle, sink.spans(), taken);
@@ -192,9 +195,7 @@ impl Stream {
             live = step(tools.simd, self, g, [x, y, z]);
         }
         face(tools.simd, self);
-        for first in (0..count).step_by(CELLS) {
-            self.certify(tools, first, count, sink);
-        }
+        self.certify(tools, count, sink);
     }
 
     /// Finds the roots of all rays that wait, and of those that wait once more.
@@ -205,35 +206,55 @@ impl Stream {
     }
 
     /// Encloses g where Newton's method ended, or where the ray does. Rays that were wrongly thought to end before their root wait again.
-    fn certify(&mut self, tools: &mut Tools, first: usize, count: usize, sink: &mut impl Sink) {
+    fn certify(&mut self, tools: &mut Tools, count: usize, sink: &mut impl Sink) {
+        let [origin, direction] = [&self.origin, &self.direction].map(|all| all.each_ref().map(|one| part(one, 0)));
+        balls_at(tools.simd, origin, direction, part(&self.t, 0), tools.balls);
+        tools.formula.ball().run(tools.balls);
+        tools.enclosures += count as u64;
+        let mut known = Known { lo: [0.0; POINTS], hi: [0.0; POINTS], is_whole: [true; POINTS] };
+        let all = u64::MAX >> (POINTS - count);
+        let unclear =
+            all & bound(tools.simd, self, tools.size, tools.formula.ball().output(tools.balls, 0), &mut known);
+        for first in (0..count).step_by(CELLS).filter(|first| unclear >> first & ((1 << CELLS) - 1) != 0) {
+            self.enclose(tools, first, &mut known);
+        }
+        let mut certified = Certified { width: [0.0; POINTS], is_hit: [false; POINTS], is_beyond: [false; POINTS] };
+        judge(tools.simd, self, tools.size, &known, &mut certified);
+        for i in 0..count {
+            let (place, cost) = (self.place[i] as usize, self.cost[i]);
+            if certified.is_hit[i] {
+                let [x, y, z] = &self.gradient;
+                sink.hit(place, cost, self.t[i], certified.width[i], [x[i], y[i], z[i]], self.flipped[i] > 0.0);
+            } else {
+                self.other(i, &certified, sink);
+            }
+        }
+    }
+
+    /// Encloses g by intervals where some rays stand.
+    #[cold]
+    fn enclose(&mut self, tools: &mut Tools, first: usize, known: &mut Known) {
         let [origin, direction] = [&self.origin, &self.direction].map(|all| all.each_ref().map(|one| part(one, first)));
         let t = part(&self.t, first);
         place(tools.simd, origin, direction, t, t, tools.cells);
         tools.formula.value().run(tools.cells);
-        let count = CELLS.min(count - first);
-        tools.enclosures += count as u64;
-        let mut certified = Certified::default();
-        judge(tools.simd, self, first, tools.size, tools.formula.value().output(tools.cells, 0), &mut certified);
-        for k in 0..count {
-            let i = first + k;
-            let (place, cost) = (self.place[i] as usize, self.cost[i]);
-            if certified.is_hit[k] {
-                let [x, y, z] = &self.gradient;
-                sink.hit(place, cost, self.t[i], certified.width[k], [x[i], y[i], z[i]], self.flipped[i] > 0.0);
-            } else {
-                self.other(i, &certified, k, sink);
-            }
+        tools.enclosures += CELLS as u64;
+        let g = tools.formula.value().output(tools.cells, 0);
+        known.lo[first..first + CELLS].copy_from_slice(&g.lo);
+        known.hi[first..first + CELLS].copy_from_slice(&g.hi);
+        for (is_whole, flags) in known.is_whole[first..].iter_mut().zip(g.flags) {
+            *is_whole = flags & PARTIAL == 0;
         }
     }
 
     /// Files ray i, which has no proven root between its ends.
     #[cold]
-    fn other(&mut self, i: usize, certified: &Certified, k: usize, sink: &mut impl Sink) {
+    fn other(&mut self, i: usize, certified: &Certified, sink: &mut impl Sink) {
         let is_before = if self.beyond[i] == 0.0 { self.t[i] < self.near[i] } else { self.beyond[i] < 0.0 };
-        let end = if self.beyond[i] != 0.0 && !certified.is_beyond[k] {
+        let end = if self.beyond[i] != 0.0 && !certified.is_beyond[i] {
             self.wait_again(i);
             return;
-        } else if self.beyond[i] == 0.0 && certified.width[k].is_nan() {
+        } else if self.beyond[i] == 0.0 && certified.width[i].is_nan() {
             End::Unknown
         } else if is_before {
             End::Before
@@ -325,21 +346,57 @@ for_each_level! {
 }
 
 for_each_level! {
-    /// Judges the rays from some place on by the enclosure of g where each stands.
-    fn judge[L](stream: &Stream, first: usize, size: f64, g: &Cells, certified: &mut Certified) {
-        let [t, near, far, beyond]: [&[f64; CELLS]; 4] =
-            [&stream.t, &stream.near, &stream.far, &stream.beyond].map(|column| part(column, first));
-        let [moved, steepness, front]: [&[f64; CELLS]; 3] =
-            [&stream.moved, &stream.steepness, &stream.front].map(|column| part(column, first));
-        for k in 0..CELLS {
-            let is_whole = g.flags[k] & PARTIAL == 0;
-            let off = g.hi[k].max(-g.lo[k]) / steepness[k];
-            let width = WIDTH * if t[k] > size { t[k] } else { size };
-            let known = is_whole & (off <= width) & (moved[k] == 0.0);
-            let sign = if g.lo[k] > 0.0 { 1.0 } else { 0.0 } - if g.hi[k] < 0.0 { 1.0 } else { 0.0 };
-            certified.width[k] = if known { width } else { f64::NAN };
-            certified.is_hit[k] = known & (beyond[k] == 0.0) & (t[k] >= near[k]) & (t[k] <= far[k]);
-            certified.is_beyond[k] = is_whole & (sign == front[k] * beyond[k]);
+    /// Puts balls around the points at distance t on each ray into the registers of the coordinates: see [`place`].
+    fn balls_at[L](
+        origin: [&[f64; POINTS]; 3], direction: [&[f64; POINTS]; 3], t: &[f64; POINTS], balls: &mut [Balls],
+    ) {
+        for axis in 0..3 {
+            let (o, d) = (origin[axis], direction[axis]);
+            let ball = &mut balls[axis];
+            for i in 0..POINTS {
+                ball.center.0[i] = L::fma(t[i], d[i], o[i]);
+                let radius = L::fma(t[i], PER_DISTANCE, o[i].abs() * PER_ORIGIN);
+                ball.radius.0[i] = if t[i] > 0.0 { radius } else { 0.0 };
+            }
+        }
+    }
+}
+
+for_each_level! {
+    /// The bounds of g by its balls. Says, a bit each, for which rays that is too little. There is a value: g is defined all along each
+    /// ray's bracket.
+    fn bound[L](stream: &Stream, size: f64, g: &Balls, known: &mut Known) -> u64 {
+        let mut unclear = 0;
+        let (t, steepness): (&[f64; POINTS], &[f64; POINTS]) = (part(&stream.t, 0), part(&stream.steepness, 0));
+        for i in 0..POINTS {
+            let (center, radius) = (g.center.0[i], g.radius.0[i]);
+            let scale = if t[i] > size { t[i] } else { size };
+            let is_narrow = radius <= 0.5 * WIDTH * scale * steepness[i];
+            // Room for one more rounding each.
+            let radius = L::fma(center.abs(), f64::EPSILON, radius);
+            known.lo[i] = center - radius;
+            known.hi[i] = center + radius;
+            unclear |= u64::from(!is_narrow) << i;
+        }
+        unclear
+    }
+}
+
+for_each_level! {
+    /// Judges the rays by what is known of g where each stands.
+    fn judge[L](stream: &Stream, size: f64, g: &Known, certified: &mut Certified) {
+        let [t, near, far, beyond]: [&[f64; POINTS]; 4] =
+            [&stream.t, &stream.near, &stream.far, &stream.beyond].map(|column| part(column, 0));
+        let [moved, steepness, front]: [&[f64; POINTS]; 3] =
+            [&stream.moved, &stream.steepness, &stream.front].map(|column| part(column, 0));
+        for i in 0..POINTS {
+            let off = g.hi[i].max(-g.lo[i]) / steepness[i];
+            let width = WIDTH * if t[i] > size { t[i] } else { size };
+            let known = g.is_whole[i] & (off <= width) & (moved[i] == 0.0);
+            let sign = if g.lo[i] > 0.0 { 1.0 } else { 0.0 } - if g.hi[i] < 0.0 { 1.0 } else { 0.0 };
+            certified.width[i] = if known { width } else { f64::NAN };
+            certified.is_hit[i] = known & (beyond[i] == 0.0) & (t[i] >= near[i]) & (t[i] <= far[i]);
+            certified.is_beyond[i] = g.is_whole[i] & (sign == front[i] * beyond[i]);
         }
     }
 }

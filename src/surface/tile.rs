@@ -92,10 +92,9 @@ struct Square {
     b: f64,
     /// Where the last ray of it ends.
     end: f64,
-    /// The proven sign of g at a for every ray, or 0.
+    /// The proven sign of g at a for every ray, or 0; NaN while nothing is known of what is in front of a, so that the slab may
+    /// begin sooner.
     sign: f64,
-    /// Whether nothing is known yet of what is in front of a, so that the slab may begin sooner.
-    fresh: bool,
     /// Slabs since it was cut, and in all.
     slabs: u32,
     cost: u32,
@@ -190,7 +189,7 @@ impl Walk {
         self.limits = limits;
         for place in Place::of(part, bundle) {
             if let Some((a, end)) = range(place) {
-                self.open.push(Square { place, a, b: end, end, fresh: true, ..Square::default() });
+                self.open.push(Square { place, a, b: end, end, sign: f64::NAN, ..Square::default() });
             }
         }
         while !self.open.is_empty() || !self.crossed.is_empty() {
@@ -332,7 +331,6 @@ impl Square {
         self.a = self.b;
         self.b = (self.a + step).min(self.end);
         self.sign = sign;
-        self.fresh = false;
         if self.a >= self.end { Verdict::Empty } else { Verdict::Again }
     }
 
@@ -342,13 +340,13 @@ impl Square {
         let (a, b) = (middle + from * half, middle + to * half);
         let known = from > -1.0 || self.sign == front;
         if from > -1.0 {
-            (self.a, self.sign, self.fresh) = (a, front, false);
+            (self.a, self.sign) = (a, front);
         }
         if known && to < 1.0 {
             self.b = b;
             return Verdict::Crossed;
         }
-        if !known && !self.fresh {
+        if !known && !self.sign.is_nan() {
             // There is another sheet, or the form knows less than its past.
             return self.halve(screen);
         }

@@ -225,7 +225,8 @@ impl Job<'_> {
         let hit = &mut self.hits[open.ray as usize];
         let cost = hit.cost + open.slabs;
         let (near, far, proven) = ((t - width).max(0.0), t + width, outcome == Outcome::Hit);
-        *hit = Hit { outcome, proven, t, width, near, far, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
+        *hit =
+            Hit { outcome, proven, t, width, near, far, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
     }
 
     /// The normal of a hit from the gradient, turned against the ray.

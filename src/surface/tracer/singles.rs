@@ -181,7 +181,13 @@ impl Tracer<'_> {
             let rays: [Ray; POINTS] = std::array::from_fn(|i| job.rays.ray(at(i).0));
             let origin = [0, 1, 2].map(|axis| rays.map(|ray| ray.origin[axis]));
             let direction = [0, 1, 2].map(|axis| rays.map(|ray| ray.direction[axis]));
-            points_at(surface.simd, origin.each_ref(), direction.each_ref(), &std::array::from_fn(|i| at(i).1), registers);
+            points_at(
+                surface.simd,
+                origin.each_ref(),
+                direction.each_ref(),
+                &std::array::from_fn(|i| at(i).1),
+                registers,
+            );
             kernel.run(registers);
             self.counts.gradients += chunk.len() as u64;
             for (i, &(ray, _)) in chunk.iter().enumerate() {

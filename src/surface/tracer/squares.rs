@@ -10,6 +10,7 @@ use crate::surface::bundle::{Bundle, SHORTENED, Spans};
 use crate::surface::hit::Outcome;
 use crate::surface::isolate::Open;
 use crate::surface::kernels::{Formula, Program};
+use crate::surface::memory::Registers;
 use crate::surface::screen::{Rectangle, place_cells};
 use crate::surface::sheet::Surface;
 use crate::surface::stream::{End, Sink, Tools};
@@ -177,8 +178,9 @@ impl Tracer<'_> {
         let region = (block.place, bundle, block.depths, range);
         walk.run(formula, &mut registers.forms, (screen, rectangle, simd), region, settled);
         self.counts.cells += settled.cells;
-        let (gradient, cells) = (&mut registers.gradient, &mut registers.cells.value);
-        let mut tools = Tools { formula, gradient, cells, size, simd, evaluations: 0, enclosures: 0 };
+        let Registers { gradient, balls, cells, .. } = registers;
+        let cells = &mut cells.value;
+        let mut tools = Tools { formula, gradient, balls, cells, size, simd, evaluations: 0, enclosures: 0 };
         let mut filing = Filing { bundle, spans, open: &mut self.open, job };
         for crossing in &settled.crossings {
             stream.take(crossing, bundle, &mut tools, &mut filing);
