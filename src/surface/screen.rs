@@ -63,15 +63,15 @@ const ROUNDED: f64 = 1e-13;
 /// Squares of pixels between two depths, a number of each in an array.
 #[derive(Clone, Debug)]
 pub(crate) struct Places {
-    /// The middle: sx, sy, depth.
-    pub(crate) middle: [[f64; FORMS]; 3],
-    /// From the middle to the edges.
-    pub(crate) half: [[f64; FORMS]; 3],
+    /// The first pixel of each, across and down, and the first depth.
+    pub(crate) start: [[f64; FORMS]; 3],
+    /// The last of all three.
+    pub(crate) last: [[f64; FORMS]; 3],
 }
 
 impl Default for Places {
     fn default() -> Self {
-        Places { middle: [[0.0; FORMS]; 3], half: [[0.0; FORMS]; 3] }
+        Places { start: [[0.0; FORMS]; 3], last: [[0.0; FORMS]; 3] }
     }
 }
 
@@ -88,20 +88,6 @@ impl Screen {
         let width = f64::from(pixels) * self.step[0].abs();
         if self.is_parallel { width } else { width * depth }
     }
-
-    /// Middle and half width of a rectangle of pixels of this size, > 0, one number for each of across and down.
-    pub(crate) fn rectangle(&self, start: [u32; 2], size: [u32; 2]) -> [[f64; 2]; 2] {
-        let last = [start[0] + size[0] - 1, start[1] + size[1] - 1];
-        let mut square = [[0.0; 2]; 2];
-        for axis in 0..2 {
-            let at = |pixel: u32| self.first[axis] + f64::from(pixel) * self.step[axis];
-            let (p, q) = (at(start[axis]), at(last[axis]));
-            let rounded = ROUNDED * (self.first[0].abs() + self.first[1].abs() + self.step[0].abs());
-            square[0][axis] = 0.5 * (p + q);
-            square[1][axis] = 0.5 * (q - p).abs() + rounded;
-        }
-        square
-    }
 }
 
 /// Puts the points of rectangles, each between two depths, into the registers: at most as many as there are lanes, which are at least
@@ -109,16 +95,13 @@ impl Screen {
 pub(crate) fn place_cells(simd: Simd, screen: &Screen, cells: &[(Rectangle, (f64, f64))], forms: &mut [Forms]) {
     let mut places = Places::default();
     for i in 0..FORMS {
-        let (rectangle, (a, end)) = cells[if i < cells.len() { i } else { 0 }];
-        let Rectangle { left, top, width, height } = rectangle;
-        let [middle, half] = screen.rectangle([left, top], [width, height]);
+        let (Rectangle { left, top, width, height }, (a, end)) = cells[if i < cells.len() { i } else { 0 }];
+        let [start, last] = [[left, top], [left + width - 1, top + height - 1]].map(|pixel| pixel.map(f64::from));
         for axis in 0..2 {
-            places.middle[axis][i] = middle[axis];
-            places.half[axis][i] = half[axis];
+            (places.start[axis][i], places.last[axis][i]) = (start[axis], last[axis]);
         }
-        places.middle[2][i] = 0.5 * (a + end);
         // The ends of cells overlap by more than they are rounded.
-        places.half[2][i] = 0.5 * (end - a) + ROUNDED * end;
+        (places.start[2][i], places.last[2][i]) = (a, end + 2.0 * ROUNDED * end);
     }
     place_forms(simd, screen, &places, forms);
 }
@@ -129,7 +112,22 @@ for_each_level! {
         /// 2^-48 and 2^-50: what the points of a ray are off by rounding, as parts of the distance and of the eye's place.
         const PER_DISTANCE: f64 = 1.0 / (1u64 << 48) as f64;
         const PER_ORIGIN: f64 = 1.0 / (1u64 << 50) as f64;
-        let Places { middle: [u, v, s], half: [hu, hv, hs] } = places;
+        let Places { start, last } = places;
+        let (mut middle, mut half) = ([[0.0; FORMS]; 3], [[0.0; FORMS]; 3]);
+        for axis in 0..2 {
+            let (first, step) = (screen.first[axis], screen.step[axis]);
+            let rounded = ROUNDED * (screen.first[0].abs() + screen.first[1].abs() + screen.step[0].abs());
+            for i in 0..FORMS {
+                let (p, q) = (first + start[axis][i] * step, first + last[axis][i] * step);
+                middle[axis][i] = 0.5 * (p + q);
+                half[axis][i] = 0.5 * (q - p).abs() + rounded;
+            }
+        }
+        for i in 0..FORMS {
+            middle[2][i] = 0.5 * (start[2][i] + last[2][i]);
+            half[2][i] = 0.5 * (last[2][i] - start[2][i]);
+        }
+        let ([u, v, s], [hu, hv, hs]) = (&middle, &half);
         for axis in 0..3 {
             let (o, f, r, t) = (screen.eye[axis], screen.forward[axis], screen.right[axis], screen.up[axis]);
             let [point, way] = forms.get_disjoint_mut([axis, axis + 3]).expect("two registers");

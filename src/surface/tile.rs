@@ -17,7 +17,7 @@ use super::kernels::Formula;
 use super::screen::{Places, Rectangle, Screen, place_forms};
 use crate::num::affine_lanes::AffineLanes;
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
-use crate::num::level::Simd;
+use crate::num::level::{Simd, for_each_level};
 
 /// How many squares are enclosed at once.
 pub(crate) const FORMS: usize = 16;
@@ -166,7 +166,20 @@ pub(crate) struct Walk {
     limits: (f64, f64),
 }
 
-/// What a slab says of its square.
+/// What forms say of their slabs.
+#[derive(Debug, Default)]
+struct Said {
+    /// Whether there is no root.
+    is_empty: [bool; FORMS],
+    /// Whether the linear part says where roots can be: between these places, in half slabs from the middle.
+    is_leaning: [bool; FORMS],
+    from: [f64; FORMS],
+    to: [f64; FORMS],
+    /// The sign of g where there is no root, 0 if that is not known; else that of its slope along the rays.
+    sign: [f64; FORMS],
+}
+
+/// What becomes of a square after a slab.
 enum Verdict {
     Empty,
     Again,
@@ -212,13 +225,11 @@ impl Walk {
         for (lane, square) in squares.iter().enumerate() {
             let Place { corner: [left, top], side, .. } = square.place;
             let corner = [rectangle.left + left, rectangle.top + top];
-            let [middle, half] = screen.rectangle(corner, [side; 2]);
             for axis in 0..2 {
-                self.places.middle[axis][lane] = middle[axis];
-                self.places.half[axis][lane] = half[axis];
+                self.places.start[axis][lane] = f64::from(corner[axis]);
+                self.places.last[axis][lane] = f64::from(corner[axis] + side - 1);
             }
-            self.places.middle[2][lane] = 0.5 * (square.a + square.b);
-            self.places.half[2][lane] = 0.5 * (square.b - square.a);
+            (self.places.start[2][lane], self.places.last[2][lane]) = (square.a, square.b);
         }
         place_forms(simd, screen, &self.places, forms);
     }
@@ -237,12 +248,13 @@ impl Walk {
         }
         self.place(&mut files.value, &squares[..count], view);
         formula.value_form().run(&mut files.value);
-        let g = formula.value_form().output(&files.value, 0);
+        let mut said = Said::default();
+        read(view.2, formula.value_form().output(&files.value, 0), &mut said);
         settled.cells += count as u64;
         for (lane, square) in squares[..count].iter_mut().enumerate() {
             square.slabs += 1;
             square.cost += 1;
-            match square.judge(g, lane, view.0, self.limits) {
+            match square.judge(&said, lane, view.0, self.limits) {
                 Verdict::Empty => {}
                 Verdict::Again => self.open.push(*square),
                 Verdict::Crossed => self.crossed.push(*square),
@@ -299,30 +311,18 @@ impl Walk {
 
 impl Square {
     /// What the form of g over the slab says; moves the slab.
-    fn judge(&mut self, g: &Forms, lane: usize, screen: &Screen, limits: (f64, f64)) -> Verdict {
-        let (c, along) = (g.center[lane], g.slope[2][lane]);
-        let radius = g.radius(lane);
-        let flags = g.flags[lane];
-        let smooth = flags & (PARTIAL | JUMP) == 0;
-        if c.abs() > radius * (1.0 + 1e-12) || flags & NOWHERE != 0 {
-            return self.pass(if smooth { c.signum() } else { 0.0 });
+    fn judge(&mut self, said: &Said, lane: usize, screen: &Screen, limits: (f64, f64)) -> Verdict {
+        if said.is_empty[lane] {
+            return self.pass(said.sign[lane]);
         }
-        // Written so that NaN is not known.
-        let along = along.abs();
-        let lean = g.slope[0][lane].abs() + g.slope[1][lane].abs();
-        let bent = radius - lean - along;
-        let known = smooth && along > 0.0 && self.slabs < MOST_SLABS;
-        if known && bent < BENT * along && lean < MOST_GROWTH * along {
-            let (middle, half) = (-c / g.slope[2][lane], (radius - along * (1.0 - 1e-12)) / along);
-            let margin = MARGIN * (1.0 + middle.abs() + half);
-            let front = -g.slope[2][lane].signum();
-            let verdict = self.follow(front, middle - half - margin, middle + half + margin, screen);
-            let beyond = self.a < limits.0 || self.b > limits.1;
-            (self.a, self.b) = (self.a.max(limits.0), self.b.min(limits.1));
-            let is_cut = !(self.a < self.b) || (beyond && matches!(verdict, Verdict::Crossed));
-            return if is_cut { Verdict::Cut } else { verdict };
+        if !said.is_leaning[lane] || self.slabs >= MOST_SLABS {
+            return self.halve(screen);
         }
-        self.halve(screen)
+        let verdict = self.follow(-said.sign[lane], said.from[lane], said.to[lane], screen);
+        let beyond = self.a < limits.0 || self.b > limits.1;
+        (self.a, self.b) = (self.a.max(limits.0), self.b.min(limits.1));
+        let is_cut = !(self.a < self.b) || (beyond && matches!(verdict, Verdict::Crossed));
+        if is_cut { Verdict::Cut } else { verdict }
     }
 
     /// The slab is empty.
@@ -385,5 +385,29 @@ impl Square {
         let (lo, hi) = slope.bounds(lane);
         let (steepness, front) = (lo.max(-hi), if lo > 0.0 { -1.0 } else { 1.0 });
         Crossing { place, a, b, steepness, front, curvature: slope.slope[2][lane] / half, depth, cost }
+    }
+}
+
+for_each_level! {
+    /// Reads what the forms of g say. Written so that NaN says nothing.
+    fn read[L](g: &Forms, said: &mut Said) {
+        for i in 0..FORMS {
+            let (c, slope, radius) = (g.center[i], g.slope[2][i], g.radius(i));
+            let smooth = g.flags[i] & (PARTIAL | JUMP) == 0;
+            let is_empty = (c.abs() > radius * (1.0 + 1e-12)) | (g.flags[i] & NOWHERE != 0);
+            let along = slope.abs();
+            let lean = g.slope[0][i].abs() + g.slope[1][i].abs();
+            let bent = radius - lean - along;
+            let is_leaning = smooth & (along > 0.0) & (bent < BENT * along) & (lean < MOST_GROWTH * along);
+            let (middle, half) = (-c / slope, (radius - along * (1.0 - 1e-12)) / along);
+            let margin = MARGIN * (1.0 + middle.abs() + half);
+            let of = if is_empty { c } else { slope };
+            let sign = if of < 0.0 { -1.0 } else { 1.0 };
+            said.is_empty[i] = is_empty;
+            said.is_leaning[i] = is_leaning;
+            said.from[i] = middle - half - margin;
+            said.to[i] = middle + half + margin;
+            said.sign[i] = if smooth { sign } else { 0.0 };
+        }
     }
 }
