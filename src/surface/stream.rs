@@ -82,7 +82,7 @@ pub(crate) struct Stream {
     beyond: Column,
     /// What the second derivative of g along the ray is about.
     curvature: Column,
-    /// The last step's length, 0 for a ray that is done; infinite before the first.
+    /// The last step's length, 0 for a ray that is done, 1 before the first.
     moved: Column,
     /// What tolerances are parts of.
     scale: Column,
@@ -183,7 +183,7 @@ impl Stream {
     fn run(&mut self, tools: &mut Tools, sink: &mut impl Sink) {
         let count = std::mem::take(&mut self.count);
         let mut live = begin(tools.simd, self, tools.size, count);
-        for _ in 0..MOST_STEPS {
+        for number in 0..MOST_STEPS {
             if live == 0 {
                 break;
             }
@@ -192,7 +192,8 @@ impl Stream {
             tools.formula.gradient().run(tools.gradient);
             tools.evaluations += live;
             let [g, x, y, z] = [0, 1, 2, 3].map(|k| &tools.formula.gradient().output(tools.gradient, k).0);
-            live = step(tools.simd, self, g, [x, y, z]);
+            let take_step = if number == 0 { first_step } else { step };
+            live = take_step(tools.simd, self, g, [x, y, z]);
         }
         face(tools.simd, self);
         self.certify(tools, count, sink);
@@ -271,11 +272,11 @@ impl Stream {
         self.count += 1;
     }
 
-    /// Moves those of the rays behind all that wait which a mask has to the front, and says how many they are.
+    /// Moves those of the rays behind all that wait which are not gone to the front, and says how many they are.
     #[cold]
-    fn pack(&mut self, mask: u32) -> usize {
+    fn pack(&mut self, is_gone: &[u64]) -> usize {
         let mut kept = 0;
-        for i in (0..LANES).filter(|i| mask >> i & 1 != 0) {
+        for i in (0..is_gone.len()).filter(|&i| is_gone[i] == 0) {
             self.copy(self.count + i, self.count + kept);
             kept += 1;
         }
@@ -305,40 +306,54 @@ for_each_level! {
             let [columns, rows]: [&[f64; LANES]; 2] = [part(&PLACES[0], taken), part(&PLACES[1], taken)];
             let [length, near, far]: [&[f64; LANES]; 3] =
                 [part(&bundle.length, rays), part(&spans.near, rays), part(&spans.far, rays)];
-            let mut kept = 0u32;
             let lanes = LANES.min(count - taken);
+            let (mut is_gone, zero) = ([0u64; LANES], [0.0; LANES]);
+            let (mut a, mut b, mut t, mut beyond) = (zero, zero, zero, zero);
+            let (mut steepness, mut curvature) = (zero, zero);
             for i in 0..LANES {
                 let long = length[i];
                 let per_length = 1.0 / long;
-                let (a, b) = (crossing.a * long * SHORTENED, crossing.b * long * LENGTHENED);
+                (a[i], b[i]) = (crossing.a * long * SHORTENED, crossing.b * long * LENGTHENED);
                 let likely = (depth + across * (columns[i] - middle) + down * (rows[i] - middle)) * long;
-                let inside = (likely > a) & (likely < b);
-                let likely = if inside { likely } else { 0.5 * (a + b) };
+                let inside = (likely > a[i]) & (likely < b[i]);
+                let likely = if inside { likely } else { 0.5 * (a[i] + b[i]) };
                 let behind = likely > far[i];
                 let limit = if behind { far[i] } else { near[i] };
-                let is_beyond = (behind | (likely < near[i])) & (limit > a * LENGTHENED) & (limit < b * SHORTENED);
+                let is_beyond = (behind | (likely < near[i])) & (limit > a[i] * LENGTHENED) & (limit < b[i] * SHORTENED);
                 let side = if behind { 1.0 } else { -1.0 };
-                stream.near[to + i] = near[i];
-                stream.far[to + i] = far[i];
-                stream.a[to + i] = a;
-                stream.b[to + i] = b;
-                stream.t[to + i] = if is_beyond { limit } else { likely };
-                stream.beyond[to + i] = if is_beyond { side } else { 0.0 };
-                stream.front[to + i] = crossing.front;
-                stream.steepness[to + i] = crossing.steepness * per_length * SHORTENED;
-                stream.curvature[to + i] = crossing.curvature * per_length * per_length;
-                stream.place[to + i] = (rays + i) as u32;
-                stream.cost[to + i] = crossing.cost;
-                kept |= u32::from((near[i] <= far[i]) & (a <= far[i] * LENGTHENED)) << i;
+                t[i] = if is_beyond { limit } else { likely };
+                beyond[i] = if is_beyond { side } else { 0.0 };
+                steepness[i] = crossing.steepness * per_length * SHORTENED;
+                curvature[i] = crossing.curvature * per_length * per_length;
+                is_gone[i] = u64::from(!((near[i] <= far[i]) & (a[i] <= far[i] * LENGTHENED)));
             }
+            let front = [crossing.front; LANES];
+            let pairs = [
+                (&mut stream.near, near),
+                (&mut stream.far, far),
+                (&mut stream.a, &a),
+                (&mut stream.b, &b),
+                (&mut stream.t, &t),
+                (&mut stream.beyond, &beyond),
+                (&mut stream.front, &front),
+                (&mut stream.steepness, &steepness),
+                (&mut stream.curvature, &curvature),
+            ];
+            for (column, values) in pairs {
+                column[to..to + LANES].copy_from_slice(values);
+            }
+            for (i, place) in stream.place[to..to + LANES].iter_mut().enumerate() {
+                *place = (rays + i) as u32;
+            }
+            stream.cost[to..to + LANES].fill(crossing.cost);
             for axis in 0..3 {
                 let (origin, direction): (&[f64; LANES], &[f64; LANES]) =
                     (part(&bundle.origin[axis], rays), part(&bundle.direction[axis], rays));
                 stream.origin[axis][to..to + LANES].copy_from_slice(origin);
                 stream.direction[axis][to..to + LANES].copy_from_slice(direction);
             }
-            let all = (1 << lanes) - 1;
-            stream.count += if kept & all == all { lanes } else { stream.pack(kept & all) };
+            let is_gone = &is_gone[..lanes];
+            stream.count += if is_gone.iter().sum::<u64>() == 0 { lanes } else { stream.pack(is_gone) };
             taken += lanes;
         }
         taken
@@ -409,7 +424,7 @@ for_each_level! {
             let t = stream.t[i];
             stream.scale[i] = if t > size { t } else { size };
             let is_live = (i < count) & (stream.beyond[i] == 0.0);
-            stream.moved[i] = if is_live { f64::INFINITY } else { 0.0 };
+            stream.moved[i] = if is_live { 1.0 } else { 0.0 };
             live += u64::from(is_live);
         }
         live
@@ -417,17 +432,47 @@ for_each_level! {
 }
 
 for_each_level! {
-    /// One step in all rays that are not done, of which it says how many are left: the first by Newton's method, the others by the cubic in g that has values and slopes
+    /// The first step in all rays, of which it says how many are left: Newton's, bent by what the second derivative is about. The gradient is that of where it began.
+    fn first_step[L](stream: &mut Stream, g: &[f64; POINTS], gradient: [&[f64; POINTS]; 3]) -> u64 {
+        let mut left = 0;
+        for i in 0..POINTS {
+            let live = stream.moved[i] > 0.0;
+            let (t, scale) = (stream.t[i], stream.scale[i]);
+            let inverse = 1.0 / slope::<L>(stream, gradient, i);
+            let newton = -g[i] * inverse;
+            let bend = -0.5 * stream.curvature[i] * inverse * newton * newton;
+            let next = t + newton + if bend.abs() < 0.5 * newton.abs() { bend } else { 0.0 };
+            let next = if next > stream.a[i] { next } else { stream.a[i] };
+            let next = if next < stream.b[i] { next } else { stream.b[i] };
+            let stride = next - t;
+            for k in 0..3 {
+                stream.here[k][i] = gradient[k][i];
+                stream.gradient[k][i] = gradient[k][i];
+            }
+            // Nothing is known of how the gradient changes after one step alone, which must be the shorter.
+            let done = ALONE * stride.abs() <= CONVERGED * scale;
+            stream.t[i] = if live { next } else { t };
+            stream.stride[i] = stride;
+            stream.value[i] = g[i];
+            stream.inverse[i] = inverse;
+            let moved = if live & !done { stride.abs() } else { 0.0 };
+            stream.moved[i] = moved;
+            left += u64::from(moved > 0.0);
+        }
+        left
+    }
+}
+
+for_each_level! {
+    /// A further step in all rays that are not done, of which it says how many are left: by the cubic in g that has values and slopes
     /// of t(g) at the last two points (inverse Hermite interpolation; Traub, Iterative Methods for the Solution of
     /// Equations, 1964, chapter 4). The gradient is carried on to where the step leads by what it changed over the step before.
     fn step[L](stream: &mut Stream, g: &[f64; POINTS], gradient: [&[f64; POINTS]; 3]) -> u64 {
         let mut left = 0;
         for i in 0..POINTS {
             let live = stream.moved[i] > 0.0;
-            let first = stream.moved[i] == f64::INFINITY;
             let (t, scale, before) = (stream.t[i], stream.scale[i], stream.stride[i]);
-            let (x, y, z) = (stream.direction[0][i], stream.direction[1][i], stream.direction[2][i]);
-            let inverse = 1.0 / L::fma(gradient[0][i], x, L::fma(gradient[1][i], y, gradient[2][i] * z));
+            let inverse = 1.0 / slope::<L>(stream, gradient, i);
             let newton = -g[i] * inverse;
             // Newton's divided differences at g, g, g before, g before.
             let span = 1.0 / (stream.value[i] - g[i]);
@@ -437,36 +482,38 @@ for_each_level! {
             let square = g[i] * g[i];
             let last = third * square * stream.value[i];
             let bend = L::fma(second, square, -last);
-            let bend = if first { -0.5 * stream.curvature[i] * inverse * newton * newton } else { bend };
-            let bent = bend.abs() < 0.5 * newton.abs();
-            let cubic = !first & bent;
-            let next = t + newton + if bent { bend } else { 0.0 };
+            let cubic = bend.abs() < 0.5 * newton.abs();
+            let next = t + newton + if cubic { bend } else { 0.0 };
             let next = if next > stream.a[i] { next } else { stream.a[i] };
             let next = if next < stream.b[i] { next } else { stream.b[i] };
             let stride = next - t;
             let ahead = stride / before;
-            let ahead = if !first & (ahead.abs() < 1.0) { ahead } else { 0.0 };
+            let ahead = if ahead.abs() < 1.0 { ahead } else { 0.0 };
             for k in 0..3 {
                 let here = gradient[k][i];
                 let carried = L::fma(here - stream.here[k][i], ahead, here);
                 stream.gradient[k][i] = if live { carried } else { stream.gradient[k][i] };
                 stream.here[k][i] = here;
             }
-            // Nothing is known of how the gradient changes after one step alone, which must be the shorter.
-            let moved = if first { ALONE * stride.abs() } else { stride.abs() };
             let straight = (stride * before).abs() <= STRAIGHT * scale * scale;
-            let done = (moved <= CONVERGED * scale) | (cubic & straight & (last.abs() <= LAST_TERM * scale));
+            let done = (stride.abs() <= CONVERGED * scale) | (cubic & straight & (last.abs() <= LAST_TERM * scale));
             stream.t[i] = if live { next } else { t };
             stream.stride[i] = stride;
             stream.value[i] = g[i];
             stream.inverse[i] = inverse;
-            let moved = if done { 0.0 } else { stride.abs() };
-            let moved = if live { moved } else { 0.0 };
+            let moved = if live & !done { stride.abs() } else { 0.0 };
             stream.moved[i] = moved;
             left += u64::from(moved > 0.0);
         }
         left
     }
+}
+
+/// The derivative of g along ray i.
+#[inline(always)]
+fn slope<L: Level>(stream: &Stream, [x, y, z]: [&[f64; POINTS]; 3], i: usize) -> f64 {
+    let [dx, dy, dz] = &stream.direction;
+    L::fma(x[i], dx[i], L::fma(y[i], dy[i], z[i] * dz[i]))
 }
 
 for_each_level! {
