@@ -9,6 +9,7 @@ use super::func::{self, bound};
 use super::lanes::Lanes;
 use super::level::Level;
 use super::number::{Basic, Constant, Number, Pair};
+use std::f64::consts::{LOG2_E, LOG10_E};
 
 /// N balls. One whose radius is not finite says nothing.
 #[derive(Clone, Copy, Debug)]
@@ -152,8 +153,8 @@ impl<const N: usize> Number for BallLanes<N> {
         sqrt(), 1.0, |c, v, r| r / v;
         exp(), bound::EXP, |c, v, r| v * known_if(r <= SMALL, grown(r));
         ln(), bound::LN, |c, v, r| known_if(c > 0.0, relative(c, r));
-        log2(), bound::LN, |c, v, r| known_if(c > 0.0, relative(c, r) * 1.4427);
-        log10(), bound::LN, |c, v, r| known_if(c > 0.0, relative(c, r) * 0.4343);
+        log2(), bound::LN, |c, v, r| known_if(c > 0.0, relative(c, r) * LOG2_E);
+        log10(), bound::LN, |c, v, r| known_if(c > 0.0, relative(c, r) * LOG10_E);
         sin(), bound::SIN, |c, v, r| r;
         cos(), bound::SIN, |c, v, r| r;
         tan(), bound::TAN, |c, v, r| {
