@@ -39,8 +39,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 const TINY: f64 = 1e-300;
 
 impl<const N: usize> AffineLanes<N> {
-    /// The same number in every lane.
-    fn splat(center: f64, error: f64) -> Self {
+    /// The same number in every lane, give or take an error.
+    pub fn splat(center: f64, error: f64) -> Self {
         AffineLanes { center: [center; N], slope: [[0.0; N]; SYMBOLS], error: [error; N], flags: [0; N] }
     }
 

@@ -5,7 +5,8 @@
 //! two. Separate from the sheet because squares, single rays and the index each have a formula of their own at hand.
 
 use super::sheet::{Balls, Cells, Points};
-use super::tile::Forms;
+use super::sum::{Share, Sum};
+use super::tile::{FormFiles, Forms};
 use crate::closure::shorten::{Fork, Shortener, is_private};
 use crate::closure::specialise::{Choices, Slabs};
 use crate::closure::{Excerpt, Kernel, Tape};
@@ -27,6 +28,8 @@ pub(crate) struct Kernels {
     gradient: Kernel<Points>,
     /// What can be left out.
     pub(crate) parts: Option<Parts>,
+    /// Its terms, if it is a long sum.
+    pub(crate) sum: Option<Sum>,
 }
 
 /// What of a function can be left out in a part of space.
@@ -62,6 +65,7 @@ pub(crate) struct Program {
 pub(crate) struct Formula<'a> {
     kernels: &'a Kernels,
     program: Option<&'a Program>,
+    share: Option<&'a Share>,
 }
 
 impl Program {
@@ -113,6 +117,7 @@ impl Kernels {
                 && is_private(graph, &with_gradient, &gradient.1);
             is_private.then_some((choices, [value, slope, gradient].map(|(forks, more)| [forks, more].concat())))
         });
+        let sum = if found.is_none() { Sum::new(graph, nested[0], simd) } else { None };
         let nothing = [Vec::new(), Vec::new(), Vec::new()];
         let [of_value, of_slope, of_gradient] = found.as_ref().map_or(&nothing, |(_, forks)| forks);
         let points = found.as_ref().map_or(&[][..], |(choices, _)| &choices.forks);
@@ -128,6 +133,7 @@ impl Kernels {
             point: Kernel::with_copies(&tapes[2], &point, simd),
             ball: Kernel::with_copies(&tapes[2], &point, simd),
             gradient: Kernel::with_copies(&tapes[3], &gradient, simd),
+            sum,
             parts: found.map(|(choices, [of_value, ..])| {
                 let tape = Tape::new(graph, &nested[1 + choices.forks.len()..]);
                 let leaves = Shortener::new(&tape, &of_value);
@@ -142,12 +148,17 @@ impl Kernels {
 
     /// All of it.
     pub(crate) fn whole(&self) -> Formula<'_> {
-        Formula { kernels: self, program: None }
+        Formula { kernels: self, program: None, share: None }
     }
 
     /// What a program leaves of it.
     pub(crate) fn only<'a>(&'a self, program: &'a Program) -> Formula<'a> {
-        Formula { kernels: self, program: Some(program) }
+        Formula { kernels: self, program: Some(program), share: None }
+    }
+
+    /// All of it, of which forms take so much of the sum as matters.
+    pub(crate) fn with_share<'a>(&'a self, share: &'a Share) -> Formula<'a> {
+        Formula { kernels: self, program: None, share: Some(share) }
     }
 }
 
@@ -201,6 +212,29 @@ impl<'a> Formula<'a> {
         ball from point of 1: Balls;
         /// g, g_x, g_y, g_z at points.
         gradient from gradient of 4: Points;
+    }
+}
+
+impl Formula<'_> {
+    /// The forms of g and, if asked for, of its slope, over squares of the screen that `place` writes into registers of the coordinates.
+    pub(crate) fn forms<'f>(
+        &self,
+        with_slope: bool,
+        files: &'f mut FormFiles,
+        simd: Simd,
+        place: impl FnOnce(&mut [Forms]),
+    ) -> [&'f Forms; 2] {
+        if let (Some(share), Some(sum)) = (self.share, &self.kernels.sum) {
+            place(&mut files.terms);
+            sum.run(share, with_slope, files, simd);
+            return files.sums.each_ref();
+        }
+        let (excerpt, file, last) =
+            if with_slope { (self.slope_form(), &mut files.slope, 1) } else { (self.value_form(), &mut files.value, 0) };
+        place(file);
+        excerpt.run(file);
+        let file = &*file;
+        [excerpt.output(file, 0), excerpt.output(file, last)]
     }
 }
 

@@ -6,7 +6,8 @@
 use super::isolate::CellFiles;
 use super::kernels::Parts;
 use super::sheet::{Balls, Points, Sheet};
-use super::tile::FormFiles;
+use super::sum::Sum;
+use super::tile::{FormFiles, Forms};
 use crate::closure::pieces::Scratch;
 use crate::closure::specialise::Slabs;
 
@@ -34,7 +35,12 @@ impl Memory {
         Memory {
             registers: Registers {
                 cells: CellFiles { value: formula.value().registers(), slope: formula.slope().registers() },
-                forms: FormFiles { value: formula.value_form().registers(), slope: formula.slope_form().registers() },
+                forms: FormFiles {
+                    value: formula.value_form().registers(),
+                    slope: formula.slope_form().registers(),
+                    terms: sheet.kernels.sum.as_ref().map_or_else(Vec::new, Sum::registers),
+                    sums: [Forms::splat(0.0, 0.0); 2],
+                },
                 point: formula.point().registers(),
                 balls: formula.ball().registers(),
                 gradient: formula.gradient().registers(),

@@ -9,6 +9,7 @@
 //! - [`kernels`]: the function of a sheet, and so much of it as some part of space needs.
 //! - [`index`]: which part of it matters where.
 //! - [`sheet`]: a formula made ready: the sheets of its zero set and their kernels.
+//! - [`sum`]: which terms of a long sum matter where.
 //! - [`hit`]: what is known about a ray.
 //! - [`region`]: the clip, and the part of a ray inside it.
 //! - [`screen`]: the rays of a picture as a whole.
@@ -35,6 +36,7 @@ pub mod screen;
 pub mod sheet;
 pub mod start;
 mod stream;
+mod sum;
 mod tile;
 pub mod tracer;
 

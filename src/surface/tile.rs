@@ -46,6 +46,9 @@ const MARGIN: f64 = 1e-6;
 /// A square may take this many slabs before it is cut.
 const MOST_SLABS: u32 = 12;
 
+/// A slab that was moved to where a sheet leans counts for so many more: where rays graze a sheet, the next says the same again.
+const FOLLOWED: u32 = 3;
+
 /// A square of pixels of a rectangle, which may reach out of it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Place {
@@ -153,6 +156,9 @@ pub(crate) struct FormFiles {
     pub(crate) value: Vec<Forms>,
     /// Of g and its slope along the rays.
     pub(crate) slope: Vec<Forms>,
+    /// Of the terms of a long sum, and what they come to, with its slope.
+    pub(crate) terms: Vec<Forms>,
+    pub(crate) sums: [Forms; 2],
 }
 
 /// Room for the walk of squares.
@@ -246,10 +252,9 @@ impl Walk {
         for square in &mut squares[..count] {
             *square = self.open.pop().unwrap_or_default();
         }
-        self.place(&mut files.value, &squares[..count], view);
-        formula.value_form().run(&mut files.value);
+        let [g, _] = formula.forms(false, files, view.2, |forms| self.place(forms, &squares[..count], view));
         let mut said = Said::default();
-        read(view.2, formula.value_form().output(&files.value, 0), &mut said);
+        read(view.2, g, &mut said);
         settled.cells += count as u64;
         for (lane, square) in squares[..count].iter_mut().enumerate() {
             square.slabs += 1;
@@ -280,9 +285,7 @@ impl Walk {
         if count == 0 {
             return;
         }
-        self.place(&mut files.slope, &squares[..count], view);
-        formula.slope_form().run(&mut files.slope);
-        let (g, slope) = (formula.slope_form().output(&files.slope, 0), formula.slope_form().output(&files.slope, 1));
+        let [g, slope] = formula.forms(true, files, view.2, |forms| self.place(forms, &squares[..count], view));
         settled.cells += count as u64;
         for (lane, square) in squares[..count].iter().enumerate() {
             let (lo, hi) = slope.bounds(lane);
@@ -358,6 +361,7 @@ impl Square {
             return self.halve(screen);
         }
         self.b = b.max(self.a + 0.5 * half);
+        self.slabs += FOLLOWED;
         Verdict::Again
     }
 

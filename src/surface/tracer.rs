@@ -5,6 +5,7 @@
 
 mod singles;
 mod squares;
+mod terms;
 
 use super::bundle::{Asked, Bundle, Spans};
 use super::hit::{Counts, Hit, Outcome, Ray};
@@ -16,6 +17,7 @@ use super::screen::{Rectangle, Screen};
 use super::sheet::{POINTS, Surface};
 use super::start::{self, Side};
 use super::stream::Stream;
+use super::sum::Weighed;
 use super::tile::{Settled, Walk};
 use crate::num::level::Simd;
 use glam::DVec3;
@@ -65,6 +67,7 @@ struct Tiles {
     settled: Settled,
     stream: Stream,
     spans: Spans,
+    weighed: Weighed,
 }
 
 /// The rays at hand as a rectangle of a picture.

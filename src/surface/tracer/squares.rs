@@ -28,14 +28,14 @@ const LAYERS: usize = SLABS / 4;
 
 /// Pixels of the rectangle between two depths.
 #[derive(Clone, Copy)]
-struct Block {
-    place: Rectangle,
-    depths: (f64, f64),
+pub(super) struct Block {
+    pub(super) place: Rectangle,
+    pub(super) depths: (f64, f64),
 }
 
 impl Block {
     /// Its quarters, each in as many layers, from the front.
-    fn cells(&self) -> Vec<Block> {
+    pub(super) fn cells(&self) -> Vec<Block> {
         let Block { place, depths: (a, end) } = *self;
         let side = (place.width.max(place.height).next_power_of_two() / 2).max(1);
         let step = (end - a) / LAYERS as f64;
@@ -53,10 +53,10 @@ impl Block {
 
 /// A sheet of a surface by its numbers.
 #[derive(Clone, Copy)]
-struct Here<'a> {
-    surface: &'a Surface,
-    index: usize,
-    k: usize,
+pub(super) struct Here<'a> {
+    pub(super) surface: &'a Surface,
+    pub(super) index: usize,
+    pub(super) k: usize,
 }
 
 impl Tracer<'_> {
@@ -84,6 +84,10 @@ impl Tracer<'_> {
     /// Settles a part of the rectangle between two depths, where these arguments matter (`None`: all).
     fn part(&mut self, here: Here, view: View, block: Block, among: Option<&[u32]>, job: &mut Job) {
         let sheet = &here.surface.sheets[here.k];
+        if let Some(sum) = &sheet.kernels.sum {
+            self.terms(here, view, block, &sum.whole(), job);
+            return;
+        }
         let Some(parts) = &sheet.kernels.parts else {
             self.walk(here, sheet.kernels.whole(), view, block, job);
             return;
@@ -150,7 +154,7 @@ impl Tracer<'_> {
     }
 
     /// A block without what lies in front of and behind the rays that are still looked at; `None` if there are none.
-    fn shrunk(&self, simd: Simd, view: View, block: Block) -> Option<Block> {
+    pub(super) fn shrunk(&self, simd: Simd, view: View, block: Block) -> Option<Block> {
         let spans = &self.tiles.spans;
         let each = Place::of(block.place, view.bundle);
         let depths = each.filter_map(|square| spans.depths(view.bundle, square.first, square.count(), simd));
@@ -159,7 +163,7 @@ impl Tracer<'_> {
     }
 
     /// Settles what squares of a part of the rectangle can in one formula, and opens the rays of the rest.
-    fn walk(
+    pub(super) fn walk(
         &mut self,
         Here { surface, index, k }: Here,
         formula: Formula,
@@ -168,7 +172,7 @@ impl Tracer<'_> {
         job: &mut Job,
     ) {
         let (size, simd) = (surface.size, surface.simd);
-        let Tiles { walk, settled, stream, spans } = &mut self.tiles;
+        let Tiles { walk, settled, stream, spans, .. } = &mut self.tiles;
         settled.clear();
         let registers = &mut self.files[index][k].registers;
         let range = |square: Place| {

@@ -1,0 +1,193 @@
+//! A long sum, and so much of it as some part of space needs.
+//!
+//! In: a node that is a sum of many terms. Out: kernels of all its terms, each with its slope along the rays; and, from forms of them over
+//! slabs, a [`Share`] for each: the terms that change there, and bounds of what the others come to. A share is for enclosures alone; points
+//! take all terms. Separate from minima, of which the arguments that do not matter leave nothing behind.
+
+use super::tile::{FORMS, FormFiles, Forms};
+use crate::closure::shorten::Shortener;
+use crate::closure::{Kernel, Tape};
+use crate::expr::derivative::along_ray;
+use crate::expr::graph::{Graph, NodeId};
+use crate::expr::op::Op;
+use crate::num::affine_lanes::AffineLanes;
+use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
+use crate::num::level::{Simd, for_each_level};
+use crate::num::number::Number;
+
+/// Sums of fewer terms are not worth it.
+const FEWEST: usize = 16;
+
+/// What is left out may change by so much of the largest term: so little that squares of a few pixels still see how the rest leans.
+const LEFT_OUT: f64 = 0.01;
+
+/// The terms of a function that is a long sum.
+pub(crate) struct Sum {
+    /// How many there are.
+    pub(crate) count: usize,
+    /// All terms, and behind them their slopes.
+    kernel: Kernel<Forms>,
+    shortener: Shortener,
+}
+
+/// The part of a sum that matters somewhere.
+#[derive(Clone, Debug)]
+pub(crate) struct Share {
+    /// The terms, rising.
+    pub(crate) live: Box<[u32]>,
+    /// The steps that compute them, without and with their slopes.
+    steps: [Box<[u32]>; 2],
+    /// Bounds of the sum of the others and of its slope: middle and half width.
+    rest: [[f64; 2]; 2],
+}
+
+/// What forms over some slabs say of the terms.
+#[derive(Debug, Default)]
+pub(crate) struct Weighed {
+    /// Whether the sum has no root in a slab.
+    pub(crate) is_empty: [bool; FORMS],
+    /// Whether each term, and its slope, is defined and continuous; how much each changes; bounds of each.
+    terms: Vec<Weight>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Weight {
+    is_smooth: [bool; FORMS],
+    center: [[f64; FORMS]; 2],
+    radius: [[f64; FORMS]; 2],
+}
+
+impl Sum {
+    /// The terms of a node, whose slopes are added to the graph; `None` if they are few.
+    pub(crate) fn new(graph: &mut Graph, node: NodeId, simd: Simd) -> Option<Sum> {
+        let terms = terms(graph, node);
+        if terms.len() < FEWEST {
+            return None;
+        }
+        let slopes = along_ray(graph, &terms);
+        let count = terms.len();
+        let tape = Tape::new(graph, &[terms, slopes].concat());
+        Some(Sum { count, kernel: Kernel::new(&tape, simd), shortener: Shortener::new(&tape, &[]) })
+    }
+
+    /// Registers for all terms.
+    pub(crate) fn registers(&self) -> Vec<Forms> {
+        self.kernel.registers()
+    }
+
+    /// All of it.
+    pub(crate) fn whole(&self) -> Share {
+        let all: Vec<u32> = (0..self.count as u32).collect();
+        self.share(&all, [[0.0; 2]; 2])
+    }
+
+    fn share(&self, live: &[u32], rest: [[f64; 2]; 2]) -> Share {
+        let of = |slopes: bool| {
+            let values = live.iter().map(|&k| k as usize);
+            let slopes = live.iter().filter(move |_| slopes).map(|&k| self.count + k as usize);
+            self.shortener.shorten(values.chain(slopes), &[]).into_boxed_slice()
+        };
+        Share { live: live.into(), steps: [of(false), of(true)], rest }
+    }
+
+    /// The value (0) or the slope (1) of a share, where the registers of the coordinates are filled.
+    fn add_up(&self, share: &Share, which: usize, registers: &[Forms], simd: Simd) -> Forms {
+        let mut sum = share.constant(which);
+        let terms = share.live.iter().map(|&k| self.kernel.output(registers, which * self.count + k as usize));
+        let terms: Vec<&Forms> = terms.collect();
+        add_all(simd, &terms, &mut sum);
+        sum
+    }
+
+    /// The sum over squares of the screen, and with `with_slope` its slope.
+    pub(crate) fn run(&self, share: &Share, with_slope: bool, files: &mut FormFiles, simd: Simd) {
+        self.kernel.excerpt(&share.steps[usize::from(with_slope)]).run(&mut files.terms);
+        for which in 0..=usize::from(with_slope) {
+            files.sums[which] = self.add_up(share, which, &files.terms, simd);
+        }
+    }
+
+    /// Weighs the terms of a share over slabs, where the registers of the coordinates are filled.
+    pub(crate) fn weigh(&self, share: &Share, files: &mut FormFiles, simd: Simd, weighed: &mut Weighed) {
+        self.run(share, true, files, simd);
+        let sum = &files.sums[0];
+        for lane in 0..FORMS {
+            let radius = sum.radius(lane) * (1.0 + 1e-12);
+            weighed.is_empty[lane] = sum.center[lane].abs() > radius || sum.flags[lane] & NOWHERE != 0;
+        }
+        weighed.terms.clear();
+        weighed.terms.extend(share.live.iter().map(|&k| {
+            let forms = [0, self.count].map(|first| self.kernel.output(&files.terms, first + k as usize));
+            let flags = |lane: usize| (forms[0].flags[lane] | forms[1].flags[lane]) & (PARTIAL | JUMP | NOWHERE);
+            Weight {
+                is_smooth: std::array::from_fn(|lane| flags(lane) == 0),
+                center: forms.map(|form| form.center),
+                radius: forms.map(|form| std::array::from_fn(|lane| form.bounds(lane).1 - form.center[lane])),
+            }
+        }));
+    }
+
+    /// The part of a share that matters in one of the slabs, which is so long. Measured by the largest that a term is everywhere in it: the radii of
+    /// forms over large slabs say little.
+    pub(crate) fn part(&self, share: &Share, weighed: &Weighed, lane: usize, length: f64) -> Share {
+        let least = |w: &Weight| w.center[0][lane].abs() - w.radius[0][lane];
+        let scale = weighed.terms.iter().map(least).fold(0.0, f64::max);
+        let weight = |k: usize| {
+            let w = &weighed.terms[k];
+            w.radius[0][lane].max(0.5 * length * w.radius[1][lane]) / scale
+        };
+        let mut order: Vec<usize> = (0..weighed.terms.len()).filter(|&k| weighed.terms[k].is_smooth[lane]).collect();
+        order.sort_by(|&a, &b| weight(a).total_cmp(&weight(b)));
+        let (mut live, mut rest, mut left_out) = (share.live.to_vec(), share.rest, 0.0);
+        for k in order {
+            left_out += weight(k);
+            // Written so that NaN stays.
+            if !(left_out <= LEFT_OUT) {
+                break;
+            }
+            for (which, [middle, half]) in rest.iter_mut().enumerate() {
+                let (center, radius) = (weighed.terms[k].center[which][lane], weighed.terms[k].radius[which][lane]);
+                *middle += center;
+                // The roundings of both sums.
+                *half = (*half + radius) * (1.0 + 4.0 * f64::EPSILON) + 2.0 * f64::EPSILON * middle.abs();
+            }
+            live[k] = u32::MAX;
+        }
+        live.retain(|&k| k != u32::MAX);
+        self.share(&live, rest)
+    }
+}
+
+impl Share {
+    /// What all terms that are left out come to, or their slopes.
+    fn constant(&self, which: usize) -> Forms {
+        let [middle, half] = self.rest[which];
+        Forms::splat(middle, half)
+    }
+}
+
+/// The terms of a sum, those that are taken away with their sign turned.
+fn terms(graph: &mut Graph, node: NodeId) -> Vec<NodeId> {
+    let (mut found, mut open) = (Vec::new(), vec![(node, false)]);
+    while let Some((id, is_negative)) = open.pop() {
+        let args = graph.args(id).to_vec();
+        match graph.op(id) {
+            Op::Add => open.extend([(args[1], is_negative), (args[0], is_negative)]),
+            Op::Sub => open.extend([(args[1], !is_negative), (args[0], is_negative)]),
+            Op::Neg => open.push((args[0], !is_negative)),
+            _ if is_negative => found.push(graph.apply(Op::Neg, &[id])),
+            _ => found.push(id),
+        }
+    }
+    found
+}
+
+for_each_level! {
+    /// Adds forms to a form.
+    fn add_all[L](terms: &[&Forms], sum: &mut Forms) {
+        for term in terms {
+            let before = *sum;
+            AffineLanes::add::<L>(&before, term, sum);
+        }
+    }
+}
