@@ -31,6 +31,7 @@ impl Tone {
     }
 
     /// The bytes of one pixel.
+    #[inline]
     pub fn bytes(self, pixel: [f32; 3]) -> [u8; 3] {
         match self {
             Tone::Linear | Tone::Neutral | Tone::Agx => self.light(pixel).map(byte_from_linear),
@@ -39,6 +40,7 @@ impl Tone {
     }
 
     /// The light that a screen is to show, of 0..=1.
+    #[inline]
     pub fn light(self, pixel: [f32; 3]) -> [f32; 3] {
         match self {
             Tone::Linear | Tone::Data => pixel.map(|light| light.clamp(0.0, 1.0)),
