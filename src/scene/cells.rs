@@ -71,11 +71,14 @@ impl Cube {
     }
 
     pub(super) fn children(&self) -> [Cube; 8] {
+        std::array::from_fn(|k| self.child(k))
+    }
+
+    #[inline]
+    pub(super) fn child(&self, k: usize) -> Cube {
         let middle = (self.min + self.max) * 0.5;
-        std::array::from_fn(|k| {
-            let upper = glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0);
-            Cube { min: DVec3::select(upper, middle, self.min), max: DVec3::select(upper, self.max, middle) }
-        })
+        let upper = glam::BVec3::new(k & 1 != 0, k & 2 != 0, k & 4 != 0);
+        Cube { min: DVec3::select(upper, middle, self.min), max: DVec3::select(upper, self.max, middle) }
     }
 
     /// What is proven of this one.
@@ -129,7 +132,7 @@ pub(super) fn extreme(
             if cube.width() <= width {
                 return Some(top.key);
             }
-            cube.asked_children(classify).into_iter().for_each(|child| frontier.push(Ranked::new(child, key)));
+            frontier.push_children(cube, classify, key);
         }
     }
     None

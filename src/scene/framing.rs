@@ -213,8 +213,7 @@ impl Search<'_> {
                     return Ok(Framing { center, radius: ENDLESS_RADIUS, is_all: false });
                 }
                 Cell::Possible => {
-                    let children = asked.cube.asked_children(self.classify);
-                    children.into_iter().for_each(|child| frontier.push(Ranked::new(child, &nearness)));
+                    frontier.push_children(asked.cube, self.classify, &nearness);
                 }
                 other => proven = Some(if proven.is_none_or(|p| p == other) { other } else { Cell::Empty }),
             }

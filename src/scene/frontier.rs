@@ -4,7 +4,7 @@
 //! the one it is part of; so boxes wait in drawers by their keys, and only those of the topmost drawer are put in order. Most
 //! searches end with most boxes still in their drawers.
 
-use super::cells::{Asked, Cube};
+use super::cells::{Asked, Cell, Classify, Cube};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -18,8 +18,10 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Frontier {
     /// Those of the topmost drawer and what has come since: their keys are above those of all others.
     top: BinaryHeap<Ranked>,
-    /// All others, each with the number of the next in its drawer.
-    waiting: Vec<(Ranked, u32)>,
+    /// All others.
+    waiting: Vec<Waiting>,
+    /// Boxes whose children have been added.
+    parents: Vec<Cube>,
     /// The first of each drawer, from the largest keys down.
     drawers: Vec<u32>,
     /// Drawers above this one are empty, and it is the one that is open.
@@ -28,23 +30,44 @@ pub(super) struct Frontier {
     per_drawer: f64,
 }
 
+/// A box in a drawer: a few bytes, for there are many and most are never taken out.
+#[derive(Clone, Copy)]
+struct Waiting {
+    key: f64,
+    /// The next in the drawer.
+    next: u32,
+    /// Which child of which parent it is: eight numbers for each parent.
+    place: u32,
+    cell: Cell,
+}
+
 impl Frontier {
     /// Without boxes, for keys that are mostly from `largest` down to `largest − span`.
     pub(super) fn new(largest: f64, span: f64) -> Self {
         let per_drawer = DRAWERS as f64 / span;
-        let (top, waiting) = (BinaryHeap::new(), Vec::new());
-        Frontier { top, waiting, drawers: vec![NONE; DRAWERS], open: 0, largest, per_drawer }
+        let (top, waiting, parents) = (BinaryHeap::new(), Vec::new(), Vec::new());
+        Frontier { top, waiting, parents, drawers: vec![NONE; DRAWERS], open: 0, largest, per_drawer }
     }
 
-    /// Adds a box.
+    /// Adds a box that nothing in a drawer can be above: the first, or one that was just taken out.
     pub(super) fn push(&mut self, ranked: Ranked) {
-        // A number that is none, or too large or small, becomes the first or the last.
-        let drawer = (((self.largest - ranked.key) * self.per_drawer) as usize).min(DRAWERS - 1);
-        if drawer <= self.open {
-            self.top.push(ranked);
-        } else {
-            let number = self.waiting.len() as u32;
-            self.waiting.push((ranked, std::mem::replace(&mut self.drawers[drawer], number)));
+        self.top.push(ranked);
+    }
+
+    /// Adds the children of a box, with what is proven of each.
+    pub(super) fn push_children(&mut self, parent: Cube, classify: Classify, key: &dyn Fn(&Cube) -> f64) {
+        let first = self.parents.len() as u32 * 8;
+        self.parents.push(parent);
+        for (place, asked) in (first..).zip(parent.asked_children(classify)) {
+            let key = key(&asked.cube);
+            // A number that is none, or too large or small, becomes the first or the last.
+            let drawer = (((self.largest - key) * self.per_drawer) as usize).min(DRAWERS - 1);
+            if drawer <= self.open {
+                self.top.push(Ranked { key, asked });
+            } else {
+                let next = std::mem::replace(&mut self.drawers[drawer], self.waiting.len() as u32);
+                self.waiting.push(Waiting { key, next, place, cell: asked.cell });
+            }
         }
     }
 
@@ -52,11 +75,12 @@ impl Frontier {
     pub(super) fn pop(&mut self) -> Option<Ranked> {
         while self.top.is_empty() && self.open + 1 < DRAWERS {
             self.open += 1;
-            let mut next = std::mem::replace(&mut self.drawers[self.open], NONE);
-            while next != NONE {
-                let (ranked, behind) = self.waiting[next as usize];
-                self.top.push(ranked);
-                next = behind;
+            let mut number = std::mem::replace(&mut self.drawers[self.open], NONE);
+            while number != NONE {
+                let Waiting { key, next, place, cell } = self.waiting[number as usize];
+                let cube = self.parents[place as usize / 8].child(place as usize % 8);
+                self.top.push(Ranked { key, asked: Asked { cube, cell } });
+                number = next;
             }
         }
         self.top.pop()
@@ -103,38 +127,36 @@ impl Eq for Ranked {}
 
 #[cfg(test)]
 mod tests {
-    use super::super::cells::Cell;
+    use super::super::cells::each;
     use super::*;
     use glam::DVec3;
 
-    /// Boxes by chance, whose keys are also equal, beyond the ends of what was said, and rising a little.
+    /// Boxes are cut as a search cuts them, by keys of which many are equal and some are beyond the ends of what was said.
     #[test]
-    fn boxes_come_by_their_rank_whenever_they_are_added() {
-        let mut random = 1u64;
-        let mut chance = move |n: u64| {
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (random >> 33) % n
-        };
-        let mut frontier = Frontier::new(5.0, 8.0);
-        let mut all = BinaryHeap::new();
-        let mut floor = 6.0;
-        for _ in 0..20_000 {
-            if chance(3) > 0 {
-                let key = floor - chance(640) as f64 / 64.0;
-                let min = DVec3::new(chance(3) as f64, chance(3) as f64, chance(3) as f64);
-                let cube = Cube { min, max: min + 1.0 + chance(2) as f64 };
-                let ranked = Ranked { key, asked: Asked { cube, cell: Cell::Possible } };
-                frontier.push(ranked);
-                all.push(ranked);
-            } else {
+    fn boxes_come_by_their_rank() {
+        let classify = each(|min, _| if min.x + min.y > 0.3 { Cell::Empty } else { Cell::Possible });
+        let keys: [(&dyn Fn(&Cube) -> f64, f64, f64); 4] = [
+            (&|cube| cube.max.z, 1.0, 2.0),
+            (&|cube| cube.max.z, 0.5, 0.25),
+            (&|cube| cube.farthest(DVec3::ZERO), 1.8, 3.5),
+            (&|cube| -cube.nearest_point().length(), 0.0, 6.0),
+        ];
+        for (key, largest, span) in keys {
+            let mut frontier = Frontier::new(largest, span);
+            let mut all = BinaryHeap::new();
+            let first = Ranked::new(Cube::around_origin(1.0).asked(&classify), key);
+            frontier.push(first);
+            all.push(first);
+            for _ in 0..5000 {
                 let (found, expected) = (frontier.pop(), all.pop());
                 assert!(found == expected);
-                floor = expected.map_or(floor, |ranked: Ranked| ranked.key + 1e-9);
+                let Some(Ranked { asked, .. }) = expected else { break };
+                assert_eq!(found.map(|found| found.asked.cell), Some(asked.cell));
+                if asked.cell == Cell::Possible && asked.cube.width() > 1e-2 {
+                    frontier.push_children(asked.cube, &classify, key);
+                    all.extend(asked.cube.asked_children(&classify).map(|child| Ranked::new(child, key)));
+                }
             }
         }
-        while let Some(expected) = all.pop() {
-            assert!(frontier.pop() == Some(expected));
-        }
-        assert!(frontier.pop().is_none());
     }
 }
