@@ -1,22 +1,9 @@
-//! Boxes of space, and the search for what is farthest among those that may hold a surface.
+//! Boxes of space, and what is proven of them.
 //!
-//! In: a question that can be asked of any box: is it proven that no surface is in it? Out: the largest value that a
-//! function takes where there can be surface. Separate from framing, because the eye's distance is found by it too.
+//! In: a question that can be asked of any boxes: is it proven that no surface is in them? Out: boxes with their answers; a ball
+//! around all that may hold a surface. Separate from framing, because the eye's distance is found by them too.
 
-use super::frontier::{Frontier, Ranked};
 use glam::DVec3;
-
-/// Boxes asked about in one search for an extreme; more would not be seen in the picture.
-pub(super) const EXTREME_CELLS: u32 = 12_000;
-
-/// An extreme is found to this share of the searched box.
-pub(super) const EXTREME_SHARE: f64 = 1.0 / 256.0;
-
-/// Boxes of the largest keys that are followed down to something when a search for an extreme has no work left.
-const DIVES: usize = 16;
-
-/// Boxes asked about while they are followed.
-const DIVE_CELLS: u32 = 20_000;
 
 /// What is proven of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,52 +92,6 @@ impl Cube {
     }
 }
 
-/// The largest key of a box that may hold a surface, found to `width`; `None` if no box can. The key of a box is not less than
-/// that of a box inside it.
-///
-/// Without work left, the boxes of the largest keys are followed down one by one: then the key is that of a box that
-/// may hold a surface, as before, and may be less than the largest by what the margin makes good.
-pub(super) fn extreme(
-    classify: Classify,
-    within: Cube,
-    width: f64,
-    cells: u32,
-    key: &dyn Fn(&Cube) -> f64,
-) -> Option<f64> {
-    // A key changes by about as much as the place does.
-    let mut frontier = Frontier::new(key(&within), (within.max - within.min).length());
-    frontier.push(Ranked::new(within.asked(classify), key));
-    let mut cells_left = cells;
-    while let Some(top) = frontier.pop() {
-        if cells_left == 0 {
-            frontier.push(top);
-            return dives(classify, frontier, width, key).or(Some(top.key));
-        }
-        cells_left -= 1;
-        let Asked { cube, cell } = top.asked;
-        if cell == Cell::Possible {
-            if cube.width() <= width {
-                return Some(top.key);
-            }
-            frontier.push_children(cube, classify, key);
-        }
-    }
-    None
-}
-
-/// The largest key that is found by following the boxes of the largest keys down.
-fn dives(classify: Classify, mut frontier: Frontier, width: f64, key: &dyn Fn(&Cube) -> f64) -> Option<f64> {
-    let mut cells_left = DIVE_CELLS;
-    let mut keys = Vec::new();
-    while let Some(top) = frontier.pop()
-        && keys.len() < DIVES
-        && cells_left > 0
-    {
-        keys.extend(dive(classify, top.asked, width, key, &mut cells_left));
-    }
-    keys.into_iter().reduce(f64::max)
-}
-
 /// Boxes that may hold a surface are halved until there are so many: enough for a ball around a torus that is a twentieth too large.
 const BALL_CELLS: usize = 1024;
 
@@ -170,29 +111,6 @@ pub(super) fn ball_around(classify: Classify, min: DVec3, max: DVec3) -> Option<
     let center = (min + max) * 0.5;
     let radius = cubes.iter().map(|cube| cube.farthest(center)).reduce(f64::max)?;
     Some((center, radius))
-}
-
-/// The key of a smallest box in the cube that may hold a surface, largest keys first.
-fn dive(
-    classify: Classify,
-    Asked { cube, cell }: Asked,
-    width: f64,
-    key: &dyn Fn(&Cube) -> f64,
-    cells_left: &mut u32,
-) -> Option<f64> {
-    if *cells_left == 0 {
-        return None;
-    }
-    *cells_left -= 1;
-    if cell != Cell::Possible {
-        return None;
-    }
-    if cube.width() <= width {
-        return Some(key(&cube));
-    }
-    let mut children = cube.asked_children(classify);
-    children.sort_by(|a, b| key(&b.cube).total_cmp(&key(&a.cube)));
-    children.into_iter().find_map(|child| dive(classify, child, width, key, cells_left))
 }
 
 #[cfg(test)]

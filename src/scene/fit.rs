@@ -4,7 +4,8 @@
 //! A ball around everything would do as well, but most things are not round, and the picture is wider than high.
 
 use super::camera::Camera;
-use super::cells::{Classify, Cube, extreme};
+use super::cells::{Classify, Cube};
+use super::extreme::extreme;
 use glam::DVec3;
 
 /// The share of the picture that is filled, across or upright; the rest is air.

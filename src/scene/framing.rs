@@ -4,10 +4,11 @@
 //! surfaces, or around the part of them that is nearest to the origin. Separate from the camera because a clip is
 //! found in the same way whoever looks.
 
-use super::cells::{Asked, Cell, Classify, Cube, EXTREME_CELLS, EXTREME_SHARE, extreme};
-use super::frontier::{Frontier, Ranked};
+use super::cells::{Asked, Cell, Classify, Cube};
+use super::extreme::{EXTREME_CELLS, EXTREME_SHARE, Ranked, extreme};
 use crate::surface::Shape;
 use glam::DVec3;
+use std::collections::BinaryHeap;
 
 /// Half the side of the largest box that is searched is 2 to this power.
 pub const MAX_POWER: i32 = 20;
@@ -199,11 +200,10 @@ impl Search<'_> {
     /// The ball around the point nearest to the origin; in the middle, if there are several as near.
     fn nearest(&mut self) -> Result<Framing, Nothing> {
         let all = Cube::around_origin(f64::from(1u32 << MAX_POWER)).asked(self.classify);
-        let mut frontier = Frontier::new(0.0, ENDLESS_RADIUS);
-        frontier.push(Ranked::new(all, &nearness));
+        let mut queue = BinaryHeap::from([Ranked::new(all, &nearness)]);
         let mut proven = None;
         self.cells_left = MAX_CELLS;
-        while let Some(Ranked { key, asked }) = frontier.pop() {
+        while let Some(Ranked { key, asked }) = queue.pop() {
             let width = NEAREST_WIDTH.max(-key * NEAREST_SHARE);
             self.cells_left = self.cells_left.saturating_sub(1);
             match asked.cell {
@@ -213,7 +213,8 @@ impl Search<'_> {
                     return Ok(Framing { center, radius: ENDLESS_RADIUS, is_all: false });
                 }
                 Cell::Possible => {
-                    frontier.push_children(asked.cube, self.classify, &nearness);
+                    let children = asked.cube.asked_children(self.classify);
+                    queue.extend(children.map(|child| Ranked::new(child, &nearness)));
                 }
                 other => proven = Some(if proven.is_none_or(|p| p == other) { other } else { Cell::Empty }),
             }

@@ -6,10 +6,10 @@
 //!
 //! - `angle`: degrees.
 //! - [`camera`]: the ray of a pixel.
-//! - [`cells`]: boxes that may hold a surface, and how far they reach.
+//! - [`cells`]: boxes that may hold a surface; `extreme`: how far they reach.
 //! - [`colour`]: sRGB as linear light; the palette.
 //! - [`fit`]: where the eye stands so that what there is to see fills the picture.
-//! - [`framing`]: the ball around what there is to see; `frontier`: which box of a search comes next.
+//! - [`framing`]: the ball around what there is to see.
 //! - [`light`]: lights and surroundings; [`daylight`]: the clear sky.
 //! - [`material`]: what surfaces are made of; [`metals`]: measured ones; [`texture`]: colours that change from point to point; [`palette`]:
 //!   maps of colours.
@@ -21,9 +21,9 @@ pub mod camera;
 pub mod cells;
 pub mod colour;
 pub mod daylight;
+mod extreme;
 pub mod fit;
 pub mod framing;
-mod frontier;
 pub mod light;
 pub mod material;
 pub mod metals;
