@@ -17,9 +17,6 @@ const ROWS: u32 = 36;
 /// Rows of the rays that look whether the picture is empty but for its middle.
 const FINE_ROWS: u32 = 96;
 
-/// So many rows are traced at once: more only take more memory, which costs as much to get as the rays to trace.
-const STRIP: u32 = 16;
-
 /// How much more another side must show to be preferred to the usual one.
 const PREFERRED: f64 = 1.5;
 
@@ -170,18 +167,13 @@ impl Outlook<'_> {
             return Vec::new();
         }
         let columns = (f64::from(rows) * self.aspect).clamp(4.0, f64::from(rows * 4)) as u32;
-        let screen = camera.screen(columns, rows);
-        let (mut rays, mut hits, mut points) = (Vec::new(), Vec::new(), Vec::new());
+        let whole = Rectangle { left: 0, top: 0, width: columns, height: rows };
+        let (mut rays, mut hits) = (Vec::new(), Vec::new());
         let mut kept = self.tracer.borrow_mut();
         let tracer = kept.get_or_insert_with(|| Tracer::new(self.surfaces, surface::Method::Faithful));
-        for top in (0..rows).step_by(STRIP as usize) {
-            let strip = Rectangle { left: 0, top, width: columns, height: STRIP.min(rows - top) };
-            tracer.trace_rectangle(&screen, strip, &mut hits);
-            tracer.take_rays(&mut rays);
-            let met = rays.iter().zip(&hits).filter(|(_, hit)| hit.is_drawn());
-            points.extend(met.map(|(ray, hit)| ray.at(hit.t)));
-        }
-        points
+        tracer.trace_rectangle(&camera.screen(columns, rows), whole, &mut hits);
+        tracer.take_rays(&mut rays);
+        rays.iter().zip(&hits).filter(|(_, hit)| hit.is_drawn()).map(|(ray, hit)| ray.at(hit.t)).collect()
     }
 }
 
