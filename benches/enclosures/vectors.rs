@@ -130,7 +130,7 @@ fn number(text: &str) -> Option<f64> {
     let mut exponent = exponent.parse::<i32>().ok()? - 4 * fraction.len() as i32;
     while exponent != 0 {
         let step = exponent.clamp(-900, 900);
-        value *= 2f64.powi(step);
+        value *= f64::from_bits(((step + 1023) as u64) << 52);
         exponent -= step;
     }
     Some(sign * value)

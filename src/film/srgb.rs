@@ -53,8 +53,8 @@ const fn slot(light: f32) -> usize {
 /// The byte of a linear light; what is outside 0..=1 is clamped, NaN is black.
 #[inline]
 pub fn byte_from_linear(light: f32) -> u8 {
-    // A maximum with a number is that number, where the other is none.
-    let light = light.max(DARKEST).min(1.0);
+    // What is no number is not above anything.
+    let light = if light > DARKEST { light.min(1.0) } else { DARKEST };
     let Slot { byte, threshold } = TABLE[slot(light)];
     byte + u8::from(threshold < light)
 }
