@@ -62,7 +62,7 @@ impl<'a> Print<'a> {
             let mut before = ([0; 3], self.whole([0.0; 3]));
             for (&light, bytes) in lights.zip(bytes.chunks_exact_mut(3)) {
                 // Much of most pictures is the same as beside it.
-                let bits = light.map(f32::to_bits);
+                let bits = [light[0].to_bits(), light[1].to_bits(), light[2].to_bits()];
                 if bits != before.0 {
                     before = (bits, self.whole(light));
                 }
@@ -79,7 +79,8 @@ impl<'a> Print<'a> {
     /// The bytes of a pixel that is covered.
     #[inline]
     fn whole(&self, light: [f32; 3]) -> [u8; 3] {
-        self.tone.bytes(light.map(|light| light * self.gain))
+        let [r, g, b] = light;
+        self.tone.bytes([r * self.gain, g * self.gain, b * self.gain])
     }
 
     /// The bytes of a pixel of which a share is covered.
