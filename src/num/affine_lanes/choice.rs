@@ -3,7 +3,7 @@
 //! In: forms. Out: where the choice is decided over the whole cell, a copy of the chosen one; else the hull. Separate from
 //! the arithmetic because the copies are exact, which is what makes forms of minima and maxima good.
 
-use super::{AffineLanes, SYMBOLS, repair};
+use super::{AffineLanes, repair};
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::Level;
 use crate::num::mask::{Mask, any, join, word};
@@ -11,13 +11,13 @@ use crate::num::number::Number;
 
 /// a where the word is all ones, b where it is 0, flags excepted.
 #[inline(always)]
-fn pick<const N: usize>(mask: &Mask<N>, a: &AffineLanes<N>, b: &AffineLanes<N>, out: &mut AffineLanes<N>) {
+fn pick<const N: usize, const S: usize>(mask: &Mask<N>, a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
     let one = |k: usize, a: &[f64; N], b: &[f64; N]| crate::num::mask::pick(mask[k], a[k], b[k]);
     for i in 0..N {
         out.center[i] = one(i, &a.center, &b.center);
         out.error[i] = one(i, &a.error, &b.error);
     }
-    for s in 0..SYMBOLS {
+    for s in 0..S {
         for i in 0..N {
             out.slope[s][i] = one(i, &a.slope[s], &b.slope[s]);
         }
@@ -25,7 +25,7 @@ fn pick<const N: usize>(mask: &Mask<N>, a: &AffineLanes<N>, b: &AffineLanes<N>, 
 }
 
 #[inline(always)]
-pub(super) fn abs<L: Level, const N: usize>(a: &AffineLanes<N>, out: &mut AffineLanes<N>) {
+pub(super) fn abs<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
     let (mut negative, mut open) = ([0; N], [0; N]);
     for i in 0..N {
         let (lo, hi) = a.bounds(i);
@@ -42,7 +42,7 @@ pub(super) fn abs<L: Level, const N: usize>(a: &AffineLanes<N>, out: &mut Affine
 }
 
 #[inline(always)]
-pub(super) fn min<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &mut AffineLanes<N>) {
+pub(super) fn min<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
     let open = smaller(a, b, out);
     if any(&open) {
         repair!(open, out, min::<L>(a, b));
@@ -50,7 +50,7 @@ pub(super) fn min<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<
 }
 
 #[inline(always)]
-pub(super) fn max<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &mut AffineLanes<N>) {
+pub(super) fn max<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
     let (mut c, mut d) = (*a, *b);
     super::arithmetic::neg(a, &mut c);
     super::arithmetic::neg(b, &mut d);
@@ -64,7 +64,7 @@ pub(super) fn max<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<
 
 /// The smaller of two forms where the difference has one sign; marks the other lanes.
 #[inline(always)]
-fn smaller<const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &mut AffineLanes<N>) -> Mask<N> {
+fn smaller<const N: usize, const S: usize>(a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) -> Mask<N> {
     let mut difference = *a;
     super::arithmetic::sub(a, b, &mut difference);
     let (mut first, mut open) = ([0; N], [0; N]);
@@ -79,11 +79,11 @@ fn smaller<const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &mut Aff
 }
 
 #[inline(always)]
-pub(super) fn choose<L: Level, const N: usize>(
-    c: &AffineLanes<N>,
-    a: &AffineLanes<N>,
-    b: &AffineLanes<N>,
-    out: &mut AffineLanes<N>,
+pub(super) fn choose<L: Level, const N: usize, const S: usize>(
+    c: &AffineLanes<N, S>,
+    a: &AffineLanes<N, S>,
+    b: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
 ) {
     let (mut first, mut open) = ([0; N], [0; N]);
     for i in 0..N {

@@ -2,7 +2,7 @@
 //!
 //! In: open rays. Out: their hits. Separate from the door because it knows no picture.
 
-use super::{FAR, Job, STRETCH, Tracer};
+use super::{FAR, Job, Method, STRETCH, Tracer};
 use crate::surface::careful::{Careful, End};
 use crate::surface::hit::{Outcome, Ray};
 use crate::surface::index::{Piece, Scratch};
@@ -71,9 +71,13 @@ impl Tracer<'_> {
     /// Settles all open rays in one formula.
     fn settle_open(&mut self, formula: Formula, surface: &Surface, (index, k): (usize, usize), job: &mut Job) {
         while !self.open.is_empty() {
-            let Registers { cells, .. } = &mut self.files[index][k].registers;
+            let Registers { cells, along, .. } = &mut self.files[index][k].registers;
             let rays = Rays { list: job.rays, size: surface.size, simd: surface.simd };
-            self.pool.run(formula, cells, &rays, &mut self.open, &mut self.found);
+            if self.method == Method::Intervals {
+                self.pool.run(formula, cells, &rays, &mut self.open, &mut self.found);
+            } else {
+                self.pool.contract(formula, (cells, along), &rays, &mut self.open, &mut self.found);
+            }
             self.counts.cells += std::mem::take(&mut self.found.cells);
             for (ray, slabs) in self.found.empty.drain(..) {
                 job.hits[ray as usize].cost += slabs;
