@@ -1,6 +1,6 @@
 //! The operations as the tests of this folder try them.
 //!
-//! In: nothing. Out: one row an operation: on arrays of points, on arrays of intervals, on one enclosure, and the
+//! In: nothing. Out: one row an operation: on arrays of points, of intervals, of forms, on one enclosure, and the
 //! correctly rounded value. Separate because several tests walk the same table; compiled for tests alone.
 
 use super::affine_lanes::AffineLanes;
@@ -22,6 +22,7 @@ pub(super) struct Trial {
     pub(super) points: Runner<Lanes<64>>,
     pub(super) cells: Runner<IntervalLanes<16>>,
     pub(super) forms: Runner<AffineLanes<16>>,
+    pub(super) along: Runner<AffineLanes<16, 1>>,
     pub(super) enclosure: fn(Enclosure, Enclosure) -> Enclosure,
     pub(super) exact: fn(f64, f64) -> f64,
 }
@@ -130,6 +131,7 @@ macro_rules! trial {
             points: $name,
             cells: $name,
             forms: $name,
+            along: $name,
             enclosure: |$a, $b| {
                 let _ = $b;
                 $enclosure
