@@ -109,7 +109,8 @@ use repair;
 /// Operations that are computed on intervals alone, for they are rare where cells are traced.
 macro_rules! by_intervals {
     ($($name:ident),*) => {
-        $(fn $name<L: Level>(a: &Self, out: &mut Self) {
+        $(#[inline(always)]
+        fn $name<L: Level>(a: &Self, out: &mut Self) {
             repair!([u64::MAX; N], out, $name::<L>(a));
         })*
     };
@@ -191,10 +192,12 @@ impl<const N: usize, const S: usize> Number for AffineLanes<N, S> {
         elementary::pow::<L, N, S>(a, b, out);
     }
 
+    #[inline(always)]
     fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self) {
         repair!([u64::MAX; N], out, atan2::<L>(a, b));
     }
 
+    #[inline(always)]
     fn floor_div<L: Level>(a: &Self, b: &Self, n: i64, out: &mut Self) {
         repair!([u64::MAX; N], out, floor_div::<L>(a, b; n));
     }

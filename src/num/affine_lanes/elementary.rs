@@ -107,14 +107,15 @@ fn bent(value: f64, slope: f64, half_bend: f64, r: f64) -> Tangent {
     Tangent { value, slope, least: -rest, most: rest, size: value.abs() + slope.abs() * r, holds: rest < 2.0 }
 }
 
-/// √x − (√m + (x − m)/(2√m)) is between −(x − m)²/(8·l^1.5) and 0, l the least x.
+/// √x is above the line through its ends, l and h, by at most (√h − √l)²/(4·(√h + √l)).
 #[inline(always)]
 fn root_tangent(m: f64, r: f64) -> Tangent {
-    let l = (m - r) * (1.0 - ROUNDING);
-    let value = m.sqrt();
-    let least = -(r * r) / (8.0 * l * l.sqrt()) * (1.0 + ROUNDING);
-    // Far down the curve a line says less than the two ends.
-    Tangent { value, slope: 0.5 / value, least, most: 0.0, size: value, holds: (l > 0.0) & (l > 0.1 * m) }
+    let (l, h) = (m - r, m + r);
+    let (least, most) = (l.sqrt(), h.sqrt());
+    let slope = 1.0 / (least + most);
+    let value = 0.5 * (least + most);
+    let above = 0.25 * slope * ((most - least) * (most - least)) * (1.0 + ROUNDING);
+    Tangent { value, slope, least: 0.0, most: above, size: most, holds: (l >= 0.0) & (h > 0.0) }
 }
 
 /// ln x − (ln m + (x − m)/m) is between −(x − m)²/(2·l²) and 0, l the least x; times `unit`.
@@ -222,31 +223,20 @@ pub(super) fn power<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N,
         return;
     }
     let mut odd = [0; N];
-    let mut square = *a;
+    let mut base = *a;
     if n < 0 {
-        odd = reciprocal(a, &mut square);
+        odd = reciprocal(a, &mut base);
     }
-    let mut value: Option<AffineLanes<N, S>> = None;
-    let mut rest = count;
-    loop {
-        if rest & 1 == 1 {
-            value = Some(match value {
-                None => square,
-                Some(known) => {
-                    let mut product = known;
-                    arithmetic::mul(&known, &square, &mut product);
-                    product
-                }
-            });
+    *out = base;
+    // From the second binary digit of the exponent down.
+    for digit in (0..count.ilog2()).rev() {
+        let before = *out;
+        arithmetic::square(&before, out);
+        if count >> digit & 1 == 1 {
+            let before = *out;
+            arithmetic::mul(&before, &base, out);
         }
-        rest >>= 1;
-        if rest == 0 {
-            break;
-        }
-        let before = square;
-        arithmetic::square(&before, &mut square);
     }
-    *out = value.unwrap_or(square);
     out.flags = a.flags;
     if any(&odd) {
         repair!(odd, out, power::<L>(a; n));
