@@ -10,7 +10,8 @@
 //! - g' has one sign: at most one root. Without one if g has that sign in front; else the slab is handed over.
 //! - None of these: the first half of where zero can be.
 //!
-//! Where g' is much dearer than g, it is looked at only where g has opposite signs at both ends, or moves away from zero.
+//! g' costs as much again as g or more, so it is looked at only where g has opposite signs at both ends or moves away from zero, and where a ray
+//! leaves a surface.
 
 use super::isolate::{CellFiles, Found, MOST_SLABS, Open, Pool, Rays, Verdict, Walker, place};
 use super::kernels::Formula;
@@ -18,11 +19,15 @@ use super::sheet::{CELLS, Cells, RayForms};
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::{Level, for_each_level};
 
-/// Where the slope takes more than this many times the steps of g alone, g alone is tried first.
-const COSTLY: f64 = 2.6;
+/// The first slab of a ray that leaves a surface, as a part of the scale: its g and g' are looked at together, for g alone cannot tell the
+/// start from a root. From 0.3 to 1 makes little difference.
+const FIRST: f64 = 0.3;
 
-/// The same for formulas of more than so many steps.
-const LONG: f64 = 100.0;
+/// The same for formulas of [`LONG`] steps and more, whose slope is dear, and whose forms know little of long slabs.
+const FIRST_OF_LONG: f64 = 0.05;
+
+/// Formulas of so many steps are long (`csg27`, `metaballs`).
+const LONG: usize = 100;
 
 /// Slabs shorter than this part of the scale are always looked at with the slope.
 const NARROW: f64 = 0.02;
@@ -54,31 +59,51 @@ impl Pool {
         open: &mut Vec<Open>,
         found: &mut Found,
     ) {
-        let RayFiles { value, slope } = forms;
-        let narrow = rays.size * narrow(formula);
+        let narrow = rays.size * NARROW;
+        let first = rays.size * first(formula);
         let mut walkers = std::mem::take(&mut self.walkers);
-        walkers.extend(open.drain(..).map(Walker::from));
-        self.starts(formula, &mut cells.value, rays, &mut walkers, found);
-        while !walkers.is_empty() {
-            if narrow < f64::INFINITY {
-                self.pass(rays, &mut walkers, found, |pool| {
-                    place_along(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, value);
-                    formula.value_along().run(value);
-                    decide_by_value(rays.simd, pool, narrow, formula.value_along().output(value, 0));
-                    1
-                });
-                std::mem::swap(&mut walkers, &mut found.other);
+        let mut fresh: Vec<Walker> = Vec::new();
+        for open in open.drain(..) {
+            if open.a == 0.0 {
+                fresh.push(Walker::from(Open { step: open.step.min(first), ..open }));
+            } else {
+                walkers.push(Walker::from(open));
             }
+        }
+        self.starts(formula, &mut cells.value, rays, &mut fresh, found);
+        self.pass_by_slope(formula, forms, rays, &mut fresh, found);
+        walkers.append(&mut found.other);
+        while !walkers.is_empty() {
             self.pass(rays, &mut walkers, found, |pool| {
-                place_along(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, slope);
-                formula.slope_along().run(slope);
-                let (g, of_slope) = (formula.slope_along().output(slope, 0), formula.slope_along().output(slope, 1));
-                decide_by_slope(rays.simd, pool, 2.0 * narrow, g, of_slope);
+                place_along(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, &mut forms.value);
+                formula.value_along().run(&mut forms.value);
+                decide_by_value(rays.simd, pool, narrow, formula.value_along().output(&forms.value, 0));
                 1
             });
             std::mem::swap(&mut walkers, &mut found.other);
+            self.pass_by_slope(formula, forms, rays, &mut walkers, found);
+            std::mem::swap(&mut walkers, &mut found.other);
         }
         self.walkers = walkers;
+    }
+
+    fn pass_by_slope(
+        &mut self,
+        formula: Formula,
+        forms: &mut RayFiles,
+        rays: &Rays,
+        walkers: &mut Vec<Walker>,
+        found: &mut Found,
+    ) {
+        let long = 2.0 * NARROW * rays.size;
+        let slope = &mut forms.slope;
+        self.pass(rays, walkers, found, |pool| {
+            place_along(rays.simd, &pool.origin, &pool.direction, &pool.a, &pool.b, slope);
+            formula.slope_along().run(slope);
+            let (g, of_slope) = (formula.slope_along().output(slope, 0), formula.slope_along().output(slope, 1));
+            decide_by_slope(rays.simd, pool, long, g, of_slope);
+            1
+        });
     }
 
     /// The signs of g where rays start: one that leaves a surface would else be contracted towards its start again and again.
@@ -90,8 +115,7 @@ impl Pool {
         walkers: &mut [Walker],
         found: &mut Found,
     ) {
-        let mut fresh: Vec<&mut Walker> = walkers.iter_mut().filter(|walker| walker.open.a == 0.0).collect();
-        for lanes in fresh.chunks_mut(CELLS) {
+        for lanes in walkers.chunks_mut(CELLS) {
             for axis in 0..3 {
                 for (lane, walker) in lanes.iter().enumerate() {
                     let ray = &rays.list[walker.open.ray as usize];
@@ -111,10 +135,9 @@ impl Pool {
     }
 }
 
-/// The length of slab, as a part of the scale, below which the slope is enclosed too.
-fn narrow(formula: Formula) -> f64 {
-    let (value, slope) = (formula.value().len() as f64, formula.slope().len() as f64);
-    if value >= LONG || slope >= COSTLY * value { NARROW } else { f64::INFINITY }
+/// The first slab of a ray that leaves a surface, as a part of the scale.
+fn first(formula: Formula) -> f64 {
+    if formula.value().len() >= LONG { FIRST_OF_LONG } else { FIRST }
 }
 
 /// The middle of a slab and half its length, or a little more.
@@ -190,7 +213,13 @@ impl Look {
         let last = if has_behind { last } else { b };
         Look {
             empty: (c.abs() > radius * WIDER) | (flags & NOWHERE != 0),
-            beyond: if !smooth { 0.0 } else if c > 0.0 { 1.0 } else { -1.0 },
+            beyond: if !smooth {
+                0.0
+            } else if c > 0.0 {
+                1.0
+            } else {
+                -1.0
+            },
             a: first,
             b: if last > first { last } else { first },
             front: if has_front { -known } else { pool.sign[i] },

@@ -89,6 +89,13 @@ pub(crate) struct Bracket {
     pub(crate) steepness: f64,
 }
 
+impl Bracket {
+    /// Whether a root is in it for certain.
+    pub(crate) fn has_root(&self) -> bool {
+        self.front != 0.0
+    }
+}
+
 /// A ray between two passes, with what is known around its slab.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Walker {

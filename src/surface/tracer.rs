@@ -212,7 +212,9 @@ impl<'a> Tracer<'a> {
         let surface = &self.surfaces[index];
         self.open.clear();
         match view {
-            Some(view) if surface.sheets[k].is_free() && self.method == Method::Faithful => self.squares(surface, index, k, skipped, view, job),
+            Some(view) if surface.sheets[k].is_free() && self.method == Method::Faithful => {
+                self.squares(surface, index, k, skipped, view, job)
+            }
             _ => self.open_rays(surface, skipped, job),
         }
         self.singles(surface, index, k, job);

@@ -46,18 +46,30 @@ fn linear<const N: usize, const S: usize>(
 }
 
 #[inline(always)]
-pub(super) fn add<const N: usize, const S: usize>(a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
+pub(super) fn add<const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    b: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
+) {
     linear(a, b, out, |a, b| a + b);
 }
 
 #[inline(always)]
-pub(super) fn sub<const N: usize, const S: usize>(a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
+pub(super) fn sub<const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    b: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
+) {
     linear(a, b, out, |a, b| a - b);
 }
 
 /// The product: of the two linear parts, ε² is between 0 and 1 and εᵢεⱼ between −1 and 1.
 #[inline(always)]
-pub(super) fn mul<const N: usize, const S: usize>(a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
+pub(super) fn mul<const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    b: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
+) {
     for i in 0..N {
         let (c, d) = (a.center[i], b.center[i]);
         let (e, f) = (a.error[i], b.error[i]);

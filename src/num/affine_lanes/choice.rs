@@ -11,7 +11,12 @@ use crate::num::number::Number;
 
 /// a where the word is all ones, b where it is 0, flags excepted.
 #[inline(always)]
-fn pick<const N: usize, const S: usize>(mask: &Mask<N>, a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
+fn pick<const N: usize, const S: usize>(
+    mask: &Mask<N>,
+    a: &AffineLanes<N, S>,
+    b: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
+) {
     let one = |k: usize, a: &[f64; N], b: &[f64; N]| crate::num::mask::pick(mask[k], a[k], b[k]);
     for i in 0..N {
         out.center[i] = one(i, &a.center, &b.center);

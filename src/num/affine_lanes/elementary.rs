@@ -199,7 +199,10 @@ pub(super) fn sin_cos<L: Level, const N: usize, const S: usize>(
 
 /// 1/x, for a quotient; marks the lanes where 0 is near: 1/x − (1/m − (x − m)/m²) = (x − m)²/(m²·x).
 #[inline(always)]
-pub(super) fn reciprocal<const N: usize, const S: usize>(a: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) -> Mask<N> {
+pub(super) fn reciprocal<const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
+) -> Mask<N> {
     along(a, out, |m, r| {
         let least_size = (m.abs() - r) * (1.0 - ROUNDING);
         let value = 1.0 / m;
@@ -216,7 +219,11 @@ const FEW_FACTORS: u64 = 16;
 
 /// Whole powers by repeated squaring of forms.
 #[inline(always)]
-pub(super) fn power<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N, S>, n: i64, out: &mut AffineLanes<N, S>) {
+pub(super) fn power<L: Level, const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    n: i64,
+    out: &mut AffineLanes<N, S>,
+) {
     let count = n.unsigned_abs();
     if count == 0 || count > FEW_FACTORS {
         repair!([u64::MAX; N], out, power::<L>(a; n));
@@ -245,7 +252,11 @@ pub(super) fn power<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N,
 
 /// The root of odd order of forms beside 0: sign·e^(ln|x|/n).
 #[inline(always)]
-pub(super) fn root<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N, S>, n: u32, out: &mut AffineLanes<N, S>) {
+pub(super) fn root<L: Level, const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    n: u32,
+    out: &mut AffineLanes<N, S>,
+) {
     let order = f64::from(n);
     let odd = along(a, out, |m, r| {
         let l = (m.abs() - r) * (1.0 - ROUNDING);
@@ -264,7 +275,11 @@ pub(super) fn root<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N, 
 
 /// a^b = e^(b·ln a) for a > 0.
 #[inline(always)]
-pub(super) fn pow<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N, S>, b: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
+pub(super) fn pow<L: Level, const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    b: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
+) {
     let mut odd = [0; N];
     for i in 0..N {
         odd[i] = word(!(a.bounds(i).0 > 0.0));

@@ -126,7 +126,12 @@ fn levels_agree<const S: usize>(runner: fn(&Trial) -> Runner<AffineLanes<16, S>>
                 })
                 .collect();
             let bits = |form: &AffineLanes<16, S>, lane: usize| {
-                (form.center[lane].to_bits(), form.slope.map(|slope| slope[lane].to_bits()), form.error[lane].to_bits(), form.flags[lane])
+                (
+                    form.center[lane].to_bits(),
+                    form.slope.map(|slope| slope[lane].to_bits()),
+                    form.error[lane].to_bits(),
+                    form.flags[lane],
+                )
             };
             for lane in (0..16).filter(|&lane| outs[0].error[lane] < f64::INFINITY) {
                 assert!(outs.iter().all(|o| bits(o, lane) == bits(&outs[0], lane)), "{} {:?}", trial.name, outs);

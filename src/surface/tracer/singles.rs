@@ -95,7 +95,9 @@ impl Tracer<'_> {
 
     /// Refines all brackets found, and files what comes of it.
     fn refine(&mut self, formula: Formula, surface: &Surface, (index, k): (usize, usize), job: &mut Job) {
-        let brackets = std::mem::take(&mut self.found.brackets);
+        let mut brackets = std::mem::take(&mut self.found.brackets);
+        // Those that are known to have a root need less, if they are together.
+        brackets.sort_by_key(|bracket| !bracket.has_root());
         for chunk in brackets.chunks(POINTS) {
             let Registers { point, gradient, cells, .. } = &mut self.files[index][k].registers;
             let mut files = Files { point, gradient, cells: &mut cells.value };
