@@ -23,6 +23,10 @@ use crate::num::level::{Level, for_each_level};
 /// start from a root. From 0.3 to 1 makes little difference.
 const FIRST: f64 = 0.3;
 
+/// The same where the slope takes more than [`COSTLY`] times the steps of g.
+const FIRST_OF_COSTLY: f64 = 0.1;
+const COSTLY: f64 = 2.6;
+
 /// The same for formulas of [`LONG`] steps and more, whose slope is dear, and whose forms know little of long slabs.
 const FIRST_OF_LONG: f64 = 0.05;
 
@@ -137,7 +141,12 @@ impl Pool {
 
 /// The first slab of a ray that leaves a surface, as a part of the scale.
 fn first(formula: Formula) -> f64 {
-    if formula.value().len() >= LONG { FIRST_OF_LONG } else { FIRST }
+    let (value, slope) = (formula.value().len(), formula.slope().len());
+    match value {
+        LONG.. => FIRST_OF_LONG,
+        _ if slope as f64 >= COSTLY * value as f64 => FIRST_OF_COSTLY,
+        _ => FIRST,
+    }
 }
 
 /// The middle of a slab and half its length, or a little more.
@@ -250,7 +259,7 @@ for_each_level! {
             pool.slabs[i] += 1;
             pool.a[i] = next_a;
             pool.b[i] = next_b;
-            pool.clear[i] = if empty | halved { next_b } else { clear };
+            pool.clear[i] = if empty | halved | !look.smooth { next_b } else { clear };
             pool.step[i] = next_step;
             pool.sign[i] = if empty { look.beyond } else { look.front };
             let other = ready | short | (pool.slabs[i] >= MOST_SLABS);
@@ -286,7 +295,7 @@ for_each_level! {
             pool.slabs[i] += 1;
             pool.a[i] = next_a;
             pool.b[i] = next_b;
-            pool.clear[i] = if empty | halved { next_b } else { clear };
+            pool.clear[i] = if empty | halved | !look.smooth { next_b } else { clear };
             pool.step[i] = next_step;
             pool.sign[i] = if empty { if leaves { way } else { look.beyond } } else { front };
             pool.front[i] = if look.front * look.behind < 0.0 { look.front } else { 0.0 };

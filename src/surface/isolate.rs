@@ -102,7 +102,7 @@ pub(crate) struct Walker {
     pub(crate) open: Open,
     /// The slab's end.
     pub(crate) b: f64,
-    /// Nothing is between that and this.
+    /// No root is between that and this, and g is continuous there.
     pub(crate) clear: f64,
     /// The proven sign of g at the slab's start, or 0.
     pub(crate) sign: f64,

@@ -109,12 +109,11 @@ impl Batch {
         let brackets = &brackets[..brackets.len().min(POINTS)];
         let mut work = Work::default();
         self.load(brackets, rays.list);
-        if brackets.iter().all(Bracket::has_root) {
-            self.known_ends(brackets);
-        } else {
+        if !brackets.iter().all(Bracket::has_root) {
             self.ends(rays.simd, formula, files);
             work.points += 2 * brackets.len() as u64;
         }
+        self.known_ends(brackets);
         work.gradients += self.newton(formula, files, rays, brackets);
         let mut left = Vec::with_capacity(POINTS);
         let all: [usize; POINTS] = std::array::from_fn(|i| i);
@@ -160,10 +159,9 @@ impl Batch {
         }
     }
 
-    /// The signs at both ends, as they are known; the middle is where the bracket's form says that the root is.
+    /// The signs at both ends where they are known; the middle is where the bracket's form says that the root is.
     fn known_ends(&mut self, brackets: &[Bracket]) {
-        for i in 0..POINTS {
-            let bracket = &brackets[i.min(brackets.len() - 1)];
+        for (i, bracket) in brackets.iter().enumerate().filter(|(_, bracket)| bracket.has_root()) {
             (self.front[i], self.behind[i]) = (bracket.front, -bracket.front);
             self.t[i] = 0.5 * (bracket.open.a + bracket.b);
         }
