@@ -77,6 +77,9 @@ impl Tracer<'_> {
                 self.pool.run(formula, cells, &rays, &mut self.open, &mut self.found);
             } else {
                 self.pool.contract(formula, (cells, along), &rays, &mut self.open, &mut self.found);
+                // Numbers too large for forms have one bound at least as intervals.
+                let mut left = std::mem::take(&mut self.found.hard);
+                self.pool.run(formula, cells, &rays, &mut left, &mut self.found);
             }
             self.counts.cells += std::mem::take(&mut self.found.cells);
             for (ray, slabs) in self.found.empty.drain(..) {
