@@ -1,4 +1,5 @@
-//! The faithful method: where no root is, proven for 16 rays at once.
+//! The faithful method by intervals: where no root is, proven for 16 rays at once. For what [`super::contract`] finds hard, and for
+//! [`super::tracer::Method::Intervals`].
 //!
 //! In: rays with the part of each that is still open. Out: brackets on which g is monotone, for
 //! [`super::refine`]; rays proven empty; and rays that need [`super::careful`].
