@@ -134,8 +134,10 @@ fn proven_sentence(report: &Report, method: Method) -> String {
         (Method::March { .. }, _) => {
             "Nothing is proven: the method march samples each ray and can miss what is between two samples.\n".into()
         }
-        (Method::Faithful, 0) => format!("All {pixels} pixels are proven at their centres: {what}.\n"),
-        (Method::Faithful, _) => format!(
+        (Method::Faithful | Method::Intervals, 0) => {
+            format!("All {pixels} pixels are proven at their centres: {what}.\n")
+        }
+        (Method::Faithful | Method::Intervals, _) => format!(
             "{} of {pixels} pixels are proven at their centres ({:.3} %): {what}; {open} {} not.\n",
             report.proven,
             (report.proven as f64 / pixels as f64 * 100_000.0).floor() / 1000.0,

@@ -25,6 +25,8 @@ use glam::DVec3;
 pub enum Method {
     /// By proof: no root is missed.
     Faithful,
+    /// The same by natural intervals, each ray by itself: the plain way, which [`Method::Faithful`] is held against.
+    Intervals,
     /// By samples at multiples of a step: what changes sign between two of them is found.
     March {
         /// The distance between samples, > 0.
@@ -211,7 +213,9 @@ impl<'a> Tracer<'a> {
         let surface = &self.surfaces[index];
         self.open.clear();
         match view {
-            Some(view) if surface.sheets[k].is_free() => self.squares(surface, index, k, skipped, view, job),
+            Some(view) if surface.sheets[k].is_free() && self.method == Method::Faithful => {
+                self.squares(surface, index, k, skipped, view, job)
+            }
             _ => self.open_rays(surface, skipped, job),
         }
         self.singles(surface, index, k, job);
