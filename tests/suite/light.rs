@@ -2,6 +2,11 @@
 //!
 //! In: programs. Out: means over pictures of linear light against numbers from outside of the renderer.
 
+mod agreement;
+mod bytes;
+mod trails;
+mod whitted;
+
 use glam::DVec3;
 use implicit::film::Size;
 use implicit::render::{Mode, Silent};
@@ -45,6 +50,12 @@ fn draw(text: &str, way: Way) -> Picture {
     let drawing = plan.draw(&Silent).unwrap();
     let linear = |pixel: &[f32; 3]| DVec3::from_array(pixel.map(f64::from));
     Picture { width: way.size.0, pixels: drawing.picture.values.iter().map(linear).collect() }
+}
+
+/// The light along one ray: through the only pixel of a picture, from an eye to a point that is looked at.
+fn ray(text: &str, mode: Mode, (eye, at): (&str, &str), bounces: u32) -> DVec3 {
+    let text = format!("{text}; camera {{ eye: {eye}, look_at: {at} }}");
+    draw(&text, Way { mode, size: (1, 1), samples: 1, bounces, seed: 0 }).mean()
 }
 
 impl Picture {
@@ -273,26 +284,4 @@ fn no_interface_is_lost_in_shells() {
     let seen = |bounces| draw(&text, Way { bounces, samples: 4, size: (32, 32), ..WAY }).mean().x;
     assert_eq!(seen(8), 1.0);
     assert_eq!(seen(7), 0.0);
-}
-
-#[test]
-fn the_same_light_for_any_number_of_threads_and_in_any_passes() {
-    let text = "x^2+y^2+z^2=1 { kind: glass }; z=-1 { color: checker(0.5, white, navy) }; light { at: (1,-2,3), power: 50, radius: 0.3 }; \
-                render { clip: box(-2..2,-2..2,-2..2) }";
-    let modes = [Mode::Path, Mode::Light, Mode::Bidirectional, Mode::Whitted, Mode::Angle, Mode::End, Mode::Bounces];
-    for mode in modes {
-        let draw = |threads, simd, passes| {
-            let mut program = Program::from_text(text);
-            let size = Some(Size::new(100, 70).unwrap());
-            let (samples, bounces, mode) = (Some(4), Some(4), Some(mode));
-            let wishes = Wishes { size, mode, samples, bounces, threads, simd, passes, ..Wishes::default() };
-            Plan::new(&mut program, &wishes).unwrap().draw(&Silent).unwrap().picture.values
-        };
-        let one = draw(1, implicit::num::level::Simd::Portable, implicit::render::Passes::Few);
-        for simd in implicit::num::level::Simd::all() {
-            let other = draw(3, simd, implicit::render::Passes::Many);
-            let bits = |values: &[[f32; 3]]| values.iter().flatten().map(|v| v.to_bits()).collect::<Vec<u32>>();
-            assert!(bits(&one) == bits(&other), "{mode:?} {simd:?}");
-        }
-    }
 }
