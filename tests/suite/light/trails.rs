@@ -4,6 +4,7 @@
 
 use super::{Mode, ray};
 use glam::DVec3;
+use implicit::film::Size;
 use implicit::session::{Plan, Program, Wishes};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -135,7 +136,8 @@ fn curvatures_are_those_of_differential_geometry() {
 /// The radius of what is seen.
 fn radius(text: &str, eye: DVec3, at: DVec3) -> f64 {
     let text = format!("{text}; camera {{ eye: {}, look_at: {} }}", written(eye), written(at));
-    Plan::new(&mut Program::from_text(&text), &Wishes::default()).unwrap().scene.radius
+    let wishes = Wishes { size: Size::new(1, 1).ok(), ..Wishes::default() };
+    Plan::new(&mut Program::from_text(&text), &wishes).unwrap().scene.radius
 }
 
 #[test]
