@@ -113,7 +113,7 @@ impl<'a> Estimator<'a> {
         let bounces = self.settings.bounces;
         whitted::radiance(&mut self.world(tracer), &flights, bounces, &mut light);
         colours.clear();
-        colours.extend(light.iter().map(|&light| pixel(light)));
+        colours.extend(light.iter().map(|&light| pixel(bright_as_can_be(light))));
         self.light = light;
     }
 
@@ -149,4 +149,10 @@ impl<'a> Estimator<'a> {
             self.places.push(place);
         }
     }
+}
+
+/// Light that single precision can keep; what has no value, as infinite light on what is black, is dark.
+fn bright_as_can_be(light: DVec3) -> DVec3 {
+    // A maximum with 0 is 0 of what has no value, too.
+    light.max(DVec3::ZERO).min(DVec3::splat(f64::from(f32::MAX)))
 }

@@ -8,6 +8,7 @@ use super::media::{Boundary, Media};
 use super::warp::Frame;
 use super::world::{Flight, Matter, Met, Numbers, World};
 use crate::render::trace::Trace;
+use crate::scene::material::Kind;
 use crate::surface::{Hit, Ray, Side};
 use glam::DVec3;
 
@@ -22,6 +23,8 @@ pub struct Vertex {
     pub frame: Frame,
     /// Back along the path, in that frame.
     pub wo: DVec3,
+    /// Of which kind the surface is, seen from the medium in front.
+    pub kind: Kind,
     /// How it scatters.
     pub bsdf: Bsdf,
     /// Albedo or tint.
@@ -153,9 +156,10 @@ fn vertex<T: Trace>(
     // A normal of length 1 that is turned to the ray has a cosine of at least 0; rounding may make it a little less.
     wo.z = wo.z.max(f64::MIN_POSITIVE);
     let relative_ior = boundary.and_then(|boundary| boundary.relative_ior).unwrap_or(1.0);
-    let bsdf = Bsdf::new(&world.material(&hit).kind, matter.color, matter.roughness, relative_ior);
+    let kind = world.material(&hit).kind.inside(world.solids.ior(flight.media));
+    let bsdf = Bsdf::new(&kind, matter.color, matter.roughness, relative_ior);
     let media = boundary.map_or([flight.media; 2], |boundary| [boundary.before, boundary.after]);
     let Flight { ray, passes, .. } = *flight;
     let Matter { color, emission, .. } = *matter;
-    Vertex { path, point, frame, wo, bsdf, color, relative_ior, emission, hit, ray, media, starts, passes }
+    Vertex { path, point, frame, wo, kind, bsdf, color, relative_ior, emission, hit, ray, media, starts, passes }
 }

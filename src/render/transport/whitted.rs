@@ -61,7 +61,7 @@ pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, li
         let mut next = (Vec::new(), Vec::new());
         for vertex in &found {
             let (place, share) = shares[vertex.path];
-            for (wi, part) in branches(world.scene, vertex) {
+            for (wi, part) in branches(vertex) {
                 let share = share * part;
                 if share.max_element() >= LEAST_SHARE {
                     let flight = vertex.go_on(wi, flights[vertex.path].numbers);
@@ -95,7 +95,7 @@ fn shine<T: Trace>(
     let around = if world.scene.lights.is_empty() { around * SHOULDER[1] } else { around };
     for vertex in found {
         let (place, share) = shares[vertex.path];
-        if matches!(world.material(&vertex.hit).kind, Kind::Matte | Kind::Plastic { .. }) {
+        if matches!(vertex.kind, Kind::Matte | Kind::Plastic { .. }) {
             light[place] += share * vertex.color * around;
         }
         for lamp in lamps(world.scene, vertex.point) {
@@ -141,15 +141,15 @@ fn near_lamp(way: DVec3, power: DVec3, goal: Goal) -> Lamp {
 }
 
 /// The sharp rays that go on from a vertex, with their shares.
-fn branches(scene: &Scene, vertex: &Vertex) -> Vec<(DVec3, DVec3)> {
+fn branches(vertex: &Vertex) -> Vec<(DVec3, DVec3)> {
     let wo = vertex.wo;
     let mirrored = direction::reflected(wo, DVec3::Z);
-    match scene.materials[vertex.hit.surface as usize].kind {
+    match vertex.kind {
         Kind::Matte => Vec::new(),
         Kind::Mirror => vec![(mirrored, vertex.color)],
         Kind::Metal(Some(conductor)) => vec![(mirrored, fresnel::Metallic::Measured(conductor).share(wo.z))],
         Kind::Metal(None) => vec![(mirrored, fresnel::Metallic::Tint(vertex.color).share(wo.z))],
-        Kind::Plastic { ior } => vec![(mirrored, DVec3::splat(fresnel::dielectric(wo.z, ior)))],
+        Kind::Plastic { ior } => vec![(mirrored, DVec3::splat(fresnel::dielectric(wo.z, ior.max(1.0))))],
         Kind::Glass(_) => {
             let ior = vertex.relative_ior;
             let reflected = fresnel::dielectric(wo.z, ior);

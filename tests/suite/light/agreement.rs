@@ -140,8 +140,12 @@ fn light_in_a_closed_ball_is_a_series_in_all_modes() {
             let series: f64 = (0..bounces).map(|k| kept.powi(k)).sum();
             let exact = Measured { mean: power / (16.0 * PI) * albedo / PI * series, error: 0.0 };
             for (mode, samples, most_error) in
-                [(Mode::Path, 16, 0.002), (Mode::Light, 512, 0.01), (Mode::Bidirectional, 24, 0.004)]
+                [(Mode::Path, 16, 0.002), (Mode::Bidirectional, 24, 0.004), (Mode::Light, 512, 0.01)]
             {
+                // One picture by light alone costs as much as all others together, and shows all orders at once.
+                if mode == Mode::Light && bounces == 1 {
+                    continue;
+                }
                 let way = Way { mode, size: (16, 12), samples, bounces: bounces as u32, ..WAY };
                 let scene = format!("{wall}; {lamp}; {camera}");
                 agree(&format!("{mode:?} {bounces} {lamp}"), measured(&scene, way), exact, most_error);

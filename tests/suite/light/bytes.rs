@@ -9,7 +9,7 @@ use implicit::render::{Passes, Silent};
 use implicit::session::{Plan, Program, Wishes};
 
 /// More than one tile in both directions.
-const SIZE: (u64, u64) = (90, 68);
+const SIZE: (u64, u64) = (70, 66);
 
 const SCENES: [&str; 2] = [
     "x^2+y^2+z^2=1 { kind: glass, absorption: rgb(0.1,0.4,0.9) }; z=-1 { color: checker(0.5, white, navy) }; \
@@ -24,7 +24,7 @@ fn drawn(text: &str, mode: Mode, threads: usize, simd: Simd, passes: Passes) -> 
     let mut program = Program::from_text(text);
     assert!(!program.has_errors(), "{text}: {:?}", program.diagnostics);
     let size = Some(Size::new(SIZE.0, SIZE.1).unwrap());
-    let (samples, bounces, mode) = (Some(4), Some(4), Some(mode));
+    let (samples, bounces, mode) = (Some(3), Some(4), Some(mode));
     let (keep_depth, keep_normals) = (true, true);
     let wishes =
         Wishes { size, mode, samples, bounces, threads, simd, passes, keep_depth, keep_normals, ..Wishes::default() };

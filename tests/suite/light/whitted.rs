@@ -3,7 +3,7 @@
 //! In: scenes of planes and balls, one ray each. Out: its light against what Lambert, Fresnel, Snell, Beer and elementary geometry say,
 //! computed here. Nothing is chosen by chance in this mode, so the bounds are those of single precision and of rays too weak to be followed.
 
-use super::ray;
+use super::{Mode, WAY, Way, draw, ray};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -18,7 +18,7 @@ const ALBEDO: DVec3 = DVec3::new(0.25, 0.5, 0.75);
 /// What is seen of the origin of a floor of that albedo.
 fn floor(more: &str) -> DVec3 {
     let text = format!("z=0 {{ color: rgb(0.25,0.5,0.75), clip: box(-30..30,-30..30,-1..1) }}; {more}");
-    ray(&text, super::Mode::Whitted, ("(0.3,-1,2)", "(0,0,0)"), 8)
+    ray(&text, Mode::Whitted, ("(0.3,-1,2)", "(0,0,0)"), 8)
 }
 
 #[test]
@@ -72,9 +72,7 @@ fn mirrors_show_images_where_geometry_has_them() {
             for (ball, radiance) in [(lamp, 100.0 / (4.0 * PI * PI * radius * radius)), (glowing, 2.0)] {
                 let plane = "z=0 { kind: mirror, color: rgb(0.25,0.5,0.75), clip: box(-30..30,-30..30,-1..1) }";
                 let at = format!("({x},{y},0)");
-                let of = |bounces| {
-                    ray(&format!("{plane}; {ball}"), super::Mode::Whitted, ("(-3,0,3)", at.as_str()), bounces)
-                };
+                let of = |bounces| ray(&format!("{plane}; {ball}"), Mode::Whitted, ("(-3,0,3)", at.as_str()), bounces);
                 let expected = ALBEDO * radiance * is_seen;
                 assert!((of(1) - expected).abs().max_element() <= ROUNDING * radiance, "{ball}: {} {expected}", of(1));
                 assert_eq!(of(0), DVec3::ZERO, "{ball}");
@@ -92,7 +90,7 @@ fn between_mirrors_each_image_takes_its_bounces() {
     for wall in 1..=5u32 {
         let text = format!("{plates}; x={wall} {{ emission: 1, color: black }}");
         let expected = (0..wall).map(|k| if k % 2 == 0 { 0.5 } else { 0.25 }).product::<f64>();
-        let seen = |bounces| ray(&text, super::Mode::Whitted, ("(0,0,0.5)", "(0.5,0,0)"), bounces).x;
+        let seen = |bounces| ray(&text, Mode::Whitted, ("(0,0,0.5)", "(0.5,0,0)"), bounces).x;
         assert!((seen(wall) - expected).abs() < ROUNDING && seen(wall - 1) == 0.0, "{wall}: {}", seen(wall));
     }
 }
@@ -131,7 +129,7 @@ fn slabs_of_glass_reflect_and_let_through_by_fresnel_and_beer() {
                 "|y| <= 0.5 {{ kind: glass, ior: {ior}, absorption: {absorption}, clip: box(-99..99,-2..2,-9..9) }}; \
                  {wall} {{ emission: 1, color: black, clip: box(-99..99,-10..6,-9..9) }}"
             );
-            let seen = ray(&text, super::Mode::Whitted, (&format!("({x},{y},0)"), "(0,-0.5,0)"), 64).x;
+            let seen = ray(&text, Mode::Whitted, (&format!("({x},{y},0)"), "(0,-0.5,0)"), 64).x;
             assert!(
                 (seen - expected).abs() < UNFOLLOWED,
                 "{ior} {degrees} {absorption} {wall}: {seen}, not {expected}"
@@ -148,7 +146,7 @@ fn glass_holds_back_what_comes_to_its_surface_too_flat() {
     for (degrees, is_open) in [(0.0f64, true), (30.0, true), (41.7, true), (41.9, false), (70.0, false)] {
         let angle = degrees.to_radians();
         let at = format!("({},{},0)", angle.sin(), angle.cos());
-        let seen = ray(text, super::Mode::Whitted, ("(0,0,0)", &at), 1).x;
+        let seen = ray(text, Mode::Whitted, ("(0,0,0)", &at), 1).x;
         let outside = (1.5 * angle.sin()).min(1.0).asin();
         let expected = if is_open { 1.0 - reflectance(outside, 1.5) } else { 0.0 };
         assert!((seen - expected).abs() < ROUNDING, "{degrees}: {seen}, not {expected}");
@@ -172,7 +170,7 @@ fn a_ball_of_glass_turns_a_ray_by_snell() {
         };
         let seen = |z: f64| {
             let (eye, at) = (format!("(0,-4,{h})"), format!("(0,0,{h})"));
-            ray(&lamp(z), super::Mode::Whitted, (&eye, &at), 2).x
+            ray(&lamp(z), Mode::Whitted, (&eye, &at), 2).x
         };
         let share = 1.0 - reflectance(i, ior);
         let across = turned.cos();
@@ -188,7 +186,7 @@ fn what_is_partly_there_shows_the_rest_behind() {
     for (a, b) in [(0.0, 0.0), (0.3, 0.0), (1.0, 0.7), (0.3, 0.7)] {
         let matte = |y: u32, opacity: f64| format!("y={y} {{ color: rgb(0.5,0.5,0.5), opacity: {opacity} }}");
         let text = format!("{}; {}; {behind}", matte(0, a), matte(1, b));
-        let seen = ray(&text, super::Mode::Whitted, ("(0,-4,0)", "(0,0,0)"), 8).x;
+        let seen = ray(&text, Mode::Whitted, ("(0,-4,0)", "(0,0,0)"), 8).x;
         // The second is in the first one's half shadow.
         let own = 0.5 * 5.0 * 0.6 / PI;
         let expected = a * own + (1.0 - a) * (b * own * (1.0 - a) + (1.0 - b) * 2.0);
@@ -201,8 +199,47 @@ fn metal_of_known_index_mirrors_by_its_index() {
     // At a right angle ((n − 1)² + k²)/((n + 1)² + k²), a colour each.
     let text = "y=0 { n: rgb(0.2,0.9,1.4), k: rgb(3.9,2.4,1.6) }; y=-9 { emission: 1, color: black }; \
                 render { clip: box(-9..9,-10..1,-9..9) }";
-    let seen = ray(text, super::Mode::Whitted, ("(0,-4,0)", "(0,0,0)"), 1);
+    let seen = ray(text, Mode::Whitted, ("(0,-4,0)", "(0,0,0)"), 1);
     let share = |n: f64, k: f64| ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k);
     let expected = DVec3::new(share(0.2, 3.9), share(0.9, 2.4), share(1.4, 1.6));
     assert!((seen - expected).abs().max_element() < ROUNDING, "{seen}, not {expected}");
+}
+
+#[test]
+fn metal_and_coats_under_water_are_known_relative_to_water() {
+    // Everything is in a medium of index m: at a right angle ((n/m − 1)² + (k/m)²)/((n/m + 1)² + (k/m)²), and a coat of index m is none.
+    let around = "y=-9 { emission: 1, color: black }; render { clip: box(-20..20,-10..1,-20..20) }";
+    for m in [1.0, 1.33, 1.5f64] {
+        let medium = format!("x^2+y^2+z^2=90000 {{ kind: glass, ior: {m}, inside: negative }}");
+        let seen = |kind: &str| {
+            let text = format!("{medium}; y=0 {{ {kind} }}; {around}");
+            ray(&text, Mode::Whitted, ("(0,-4,0)", "(0,0,0)"), 1).x
+        };
+        let share = |n: f64, k: f64| ((n - m).powi(2) + k * k) / ((n + m).powi(2) + k * k);
+        for (kind, expected) in [
+            ("n: 0.9, k: 2.4", share(0.9, 2.4)),
+            ("n: 2, k: 0", share(2.0, 0.0)),
+            ("kind: metal, color: rgb(0.4,0.4,0.4)", 0.4),
+            ("kind: plastic, ior: 1.5, color: black", share(1.5, 0.0)),
+            ("kind: plastic, ior: 1.33, color: black", if m > 1.33 { 0.0 } else { share(1.33, 0.0) }),
+        ] {
+            assert!((seen(kind) - expected).abs() < ROUNDING, "{m} {kind}: {}, not {expected}", seen(kind));
+        }
+    }
+}
+
+#[test]
+fn light_stays_a_number_however_strong() {
+    let text = |kind: &str| {
+        format!(
+            "x^2+y^2+z^2=1 {{ emission: 1e300 }}; z=-1 {{ {kind} }}; light {{ at: (0,-3,3), power: 1e300 }}; \
+                 sun {{ from: (0,-1,1), irradiance: 1e300 }}; render {{ clip: box(-3..3,-3..3,-2..2) }}"
+        )
+    };
+    for kind in ["kind: mirror", "color: white", "kind: plastic", "metal: \"gold\"", "kind: glass", "opacity: 0.5"] {
+        for mode in [Mode::Whitted, Mode::Path, Mode::Light, Mode::Bidirectional] {
+            let picture = draw(&text(kind), Way { mode, size: (12, 12), samples: 1, ..WAY });
+            assert!(picture.pixels.iter().all(|light| light.is_finite()), "{mode:?} {kind}");
+        }
+    }
 }
