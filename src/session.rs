@@ -23,7 +23,7 @@ mod paint;
 pub mod plan;
 pub mod program;
 pub mod recipe;
-mod settings;
+pub mod settings;
 
 pub use include::{Loaded, Loader, NoFiles};
 pub use plan::{Method, Plan, Refusal, Wishes};

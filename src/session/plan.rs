@@ -8,7 +8,7 @@ use super::matter;
 use super::outlook::{Outlook, Place};
 use super::paint::Painter;
 use super::program::Program;
-use super::settings::{background_without_use, settings};
+use super::settings::{settings, without_use};
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
 use crate::expr::curvature;
@@ -153,7 +153,7 @@ impl Plan {
         let formulas: Vec<&SurfaceFormula> = objects.iter().map(|object| &object.formula).collect();
         let mut notes = matter::furnish(&mut scene, &mut program.lowered, &formulas, wishes.simd);
         scene.tighten(|surface, min, max| classify(&objects[surface], min, max));
-        notes.extend(background_without_use(program, wishes, settings.mode));
+        notes.extend(without_use(program, wishes, settings.mode));
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,
             Method::March(Some(step)) => surface::Method::March { step },
