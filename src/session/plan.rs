@@ -378,3 +378,11 @@ fn nothing_to_see(nothing: framing::Nothing) -> Refusal {
     let bound = 1u32 << MAX_POWER;
     Refusal::NothingToSee(format!("there is nothing to see: {what} within |x|, |y|, |z| <= {bound}"))
 }
+
+/// The plan of a text, for tests of what it is made of.
+#[cfg(test)]
+pub(super) fn planned(text: &str) -> Plan {
+    let mut program = Program::from_text(text);
+    assert!(!program.has_errors(), "{text}: {:?}", program.diagnostics);
+    Plan::new(&mut program, &Wishes::default()).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"))
+}

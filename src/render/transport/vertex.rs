@@ -80,6 +80,15 @@ impl Vertex {
         self.starts[usize::from(wi.z < 0.0)]
     }
 
+    /// Goes on as the surface scatters, chosen by three numbers from this dimension on; `None`: all is absorbed.
+    pub fn scatter(&self, throughput: DVec3, numbers: Numbers, dimension: u32, transport: Transport) -> Option<Onward> {
+        let ([u, v], [w, _]) = (numbers.at(dimension), numbers.at(dimension + 1));
+        let sample = self.bsdf.sample(self.wo, [u, v, w], transport)?;
+        let throughput = throughput * sample.weight;
+        let has_light = throughput != DVec3::ZERO && throughput.is_finite();
+        has_light.then(|| Onward { sample, throughput, flight: self.go_on(sample.wi, numbers) })
+    }
+
     /// A flight that goes on in a direction of the frame.
     pub fn go_on(&self, wi: DVec3, numbers: Numbers) -> Flight {
         let direction = self.frame.world_from_local(wi).normalize();
@@ -91,6 +100,46 @@ impl Vertex {
         let side = usize::from(wi.z < 0.0);
         let ray = Ray { end, ..Ray::new(self.starts[side], direction) };
         Flight { passes: self.passes, ..Flight::new(ray, self.media[side], numbers) }
+    }
+}
+
+/// How a path goes on behind a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Onward {
+    /// In which direction, and how likely.
+    pub sample: Sample,
+    /// What it carries from here.
+    pub throughput: DVec3,
+    /// Its next flight.
+    pub flight: Flight,
+}
+
+/// Paths with their flights, in the same order.
+#[derive(Debug)]
+pub struct Travel<P> {
+    /// What each carries and knows.
+    pub paths: Vec<P>,
+    /// Where each is.
+    pub flights: Vec<Flight>,
+}
+
+impl<P> Default for Travel<P> {
+    fn default() -> Self {
+        Travel { paths: Vec::new(), flights: Vec::new() }
+    }
+}
+
+impl<P> Travel<P> {
+    /// Without any.
+    pub fn clear(&mut self) {
+        self.paths.clear();
+        self.flights.clear();
+    }
+
+    /// One more.
+    pub fn push(&mut self, path: P, flight: Flight) {
+        self.paths.push(path);
+        self.flights.push(flight);
     }
 }
 
