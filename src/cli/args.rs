@@ -160,13 +160,13 @@ pub struct RenderArgs {
     pub tonemap: Option<Tone>,
     /// COLOR, transparent or sky, behind it all
     ///
-    /// In studio, cosine and mirror: a name or #rrggbb, which is shown as it is; nothing, with smooth edges, in png, webp,
+    /// In studio, cosine and mirror: a name, #rrggbb or rgb(1, 0.5, 0), which is shown as it is; nothing, with smooth edges, in png, webp,
     /// tiff and exr; or the program's sky.
     #[arg(long, value_name = "BEHIND", value_parser = read_background)]
     pub background: Option<Background>,
     /// Pixel filter: mitchell, gaussian or box
     ///
-    /// How much a place counts in a pixel, where light is followed.
+    /// How much a place counts in a pixel, in path, light and bidirectional.
     #[arg(long, value_name = "FILTER", value_parser = filter)]
     pub filter: Option<Filter>,
     /// Distances to the first hit, channel Z
