@@ -108,6 +108,10 @@ impl<'a> Names<'a> {
         let error = Diagnostic::error(second.name.span, format!("`{name}` is defined twice"));
         let error = error.also(self.list[first].name.span, "first defined here");
         match second.kind {
+            // A definition with a block behind it was not read.
+            DeclarationKind::Value(Expr { kind: ExprKind::Invalid, .. }) if self.is_formula(first) => error.help(
+                format!("to draw a surface where `{name}` has a value write the value first, as in `1 = {name}`"),
+            ),
             DeclarationKind::Value(value) if self.is_formula(first) => {
                 let value = cut(&print::expression(value));
                 error.help(format!("to draw the surface where `{name}` is {value} write `{value} = {name}`; else give one of the two another name"))
