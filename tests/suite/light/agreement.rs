@@ -116,7 +116,7 @@ fn lights_without_size_are_as_bright_by_all_ways() {
 #[test]
 fn rough_glass_and_what_is_partly_there_are_as_bright_by_all_ways() {
     compare(
-        "x^2+y^2+z^2=0.8 { kind: glass, roughness: 0.6, absorption: rgb(0.2,0.6,1.2) }; z=-1; y=1.2 { opacity: 0.6 }; \
+        "x^2+y^2+z^2=0.8 { kind: glass, roughness: 0.6, absorption: rgb(0.2,0.6,1.2) }; z=-1; y=1.2 { opacity: 0.6 }; y=-1.6 { opacity: 0.3 }; \
          light { at: (1.5,-1,2), power: 60, radius: 0.7 }; render { clip: box(-2.5..2.5,-2.5..2.5,-1.5..2) }; \
          camera { eye: (3,-5,2), look_at: (0,0,-0.3), fov: 34 }",
         [64, 128, 48],
