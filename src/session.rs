@@ -24,7 +24,7 @@ pub mod plan;
 pub mod program;
 mod proofs;
 pub mod recipe;
-mod settings;
+pub mod settings;
 
 pub use include::{Loaded, Loader, NoFiles};
 pub use plan::{Method, Plan, Refusal, Wishes};

@@ -9,7 +9,7 @@ use super::outlook::{Outlook, Place};
 use super::paint::Painter;
 use super::program::Program;
 use super::proofs::{Prover, classify_all};
-use super::settings::{background_without_use, settings};
+use super::settings::{settings, without_use};
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
 use crate::expr::curvature;
@@ -156,7 +156,7 @@ impl Plan {
         let formulas: Vec<&SurfaceFormula> = objects.iter().map(|object| &object.formula).collect();
         let mut notes = matter::furnish(&mut scene, &mut program.lowered, &formulas, wishes.simd);
         scene.tighten(|surface, cubes, cells| objects[surface].prover().classify(cubes, cells));
-        notes.extend(background_without_use(program, wishes, settings.mode));
+        notes.extend(without_use(program, wishes, settings.mode));
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,
             Method::March(Some(step)) => surface::Method::March { step },
@@ -348,4 +348,12 @@ fn nothing_to_see(nothing: framing::Nothing) -> Refusal {
     };
     let bound = 1u32 << MAX_POWER;
     Refusal::NothingToSee(format!("there is nothing to see: {what} within |x|, |y|, |z| <= {bound}"))
+}
+
+/// The plan of a text, for tests of what it is made of.
+#[cfg(test)]
+pub(super) fn planned(text: &str) -> Plan {
+    let mut program = Program::from_text(text);
+    assert!(!program.has_errors(), "{text}: {:?}", program.diagnostics);
+    Plan::new(&mut program, &Wishes::default()).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"))
 }
