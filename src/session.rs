@@ -10,7 +10,7 @@
 //!   inside; `paint`: colours by formulas.
 //! - `outlook`: where the eye goes when nobody said.
 //! - [`program`]: texts to formulas.
-//! - [`plan`]: formulas to surfaces, a camera and settings.
+//! - [`plan`]: formulas to surfaces, a camera and settings; `proofs`: where surfaces cannot be.
 //! - `settings`: how well it is drawn.
 //! - [`mod@recipe`]: the program that draws a picture again.
 
@@ -22,8 +22,9 @@ mod outlook;
 mod paint;
 pub mod plan;
 pub mod program;
+mod proofs;
 pub mod recipe;
-mod settings;
+pub mod settings;
 
 pub use include::{Loaded, Loader, NoFiles};
 pub use plan::{Method, Plan, Refusal, Wishes};

@@ -6,13 +6,14 @@
 pub mod teaching;
 
 use super::values::{
-    background, ball, box_bounds, exposure, field_of_view, filter, mode, numbers, on_line, orbit, positive, setting,
-    threads, tonemap, whole,
+    ball, box_bounds, exposure, field_of_view, filter, mode, numbers, on_line, orbit, positive, setting, threads,
+    tonemap, whole,
 };
 use crate::film::{Size, Tone};
 use crate::num::rational::Rational;
 use crate::render::filter::Filter;
 use crate::render::{Background, Mode};
+use crate::session::settings::read_background;
 use clap::{ArgAction, Args, Parser, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use std::ffi::{OsStr, OsString};
@@ -159,13 +160,13 @@ pub struct RenderArgs {
     pub tonemap: Option<Tone>,
     /// COLOR, transparent or sky, behind it all
     ///
-    /// In studio, cosine and mirror: a name or #rrggbb, which is shown as it is; nothing, with smooth edges, in png, webp,
+    /// In studio, cosine and mirror: a name, #rrggbb or rgb(1, 0.5, 0), which is shown as it is; nothing, with smooth edges, in png, webp,
     /// tiff and exr; or the program's sky.
-    #[arg(long, value_name = "BEHIND", value_parser = background)]
+    #[arg(long, value_name = "BEHIND", value_parser = read_background)]
     pub background: Option<Background>,
     /// Pixel filter: mitchell, gaussian or box
     ///
-    /// How much a place counts in a pixel, where light is followed.
+    /// How much a place counts in a pixel, in path, light and bidirectional.
     #[arg(long, value_name = "FILTER", value_parser = filter)]
     pub filter: Option<Filter>,
     /// Distances to the first hit, channel Z

@@ -53,7 +53,7 @@ pub fn run(args: RenderArgs) -> Result<(), Complaint> {
         terminal.show(&plan.settings.print(&drawing))?;
     }
     write(&args, &destination, &plan, &drawing, &notes, &mut stages, clock)?;
-    say_pass(&args, drawing.pass);
+    say_pass(&args, &plan, drawing.pass);
     say_emptiness(&args, &drawing);
     Ok(())
 }
@@ -104,7 +104,7 @@ fn write(
     }
     outputs.commit()?;
     if args.stats {
-        console::say(&stats::sentences(stages, plan, &drawing.report));
+        console::say(&stats::sentences(stages, plan, drawing));
     }
     Ok(())
 }
@@ -133,15 +133,9 @@ fn say_region(args: &RenderArgs, plan: &Plan) {
 }
 
 /// Says what a picture lacks that the time did not suffice for.
-fn say_pass(args: &RenderArgs, pass: Pass) {
-    let what = match pass {
-        Pass::Last => return,
-        Pass::Squares(side) => format!("one ray for each square of {side}x{side} pixels"),
-        Pass::Samples(1) => "one ray a pixel, edges are not smooth yet".into(),
-        Pass::Samples(count) => format!("at most {count} samples a pixel"),
-    };
-    if !args.program.quiet {
-        console::say(&format!("note: the time was up; the picture has {what}\n"));
+fn say_pass(args: &RenderArgs, plan: &Plan, pass: Pass) {
+    if pass != Pass::Last && !args.program.quiet {
+        console::say(&format!("note: the time was up; the picture has {}\n", stats::samples(plan, pass)));
     }
 }
 

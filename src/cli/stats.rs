@@ -3,8 +3,8 @@
 //! In: moments between the stages, the report of the drawing. Out: an object for programs, sentences for people.
 
 use super::clock::Moment;
-use crate::render::Report;
 use crate::render::transport::losses::losses;
+use crate::render::{Drawing, Pass, Report};
 use crate::session::Plan;
 use crate::surface::{Method, Shape};
 use serde_json::{Value, json};
@@ -93,14 +93,15 @@ fn region_json(shape: &Shape) -> Value {
 }
 
 /// The same for people.
-pub fn sentences(stages: &Stages, plan: &Plan, report: &Report) -> String {
+pub fn sentences(stages: &Stages, plan: &Plan, drawing: &Drawing) -> String {
+    let report = &drawing.report;
     let wall = Seconds::new(stages, report, |m| m.wall);
     let cpu = Seconds::new(stages, report, |m| m.cpu);
     let counts = report.counts;
     let milliseconds = |seconds: f64| format!("{:.1} ms", seconds * 1e3);
     let size = plan.settings.size;
     let mut text = proven_sentence(report, plan.method);
-    text += &format!("{size} pixels, {} threads\n", plan.settings.threads);
+    text += &format!("{size} pixels, {}, {} threads\n", samples(plan, drawing.pass), plan.settings.threads);
     text += &format!(
         "hits {}, misses {}, touch {}, undecided {}\n",
         report.hits, report.misses, report.touch, report.undecided
@@ -125,6 +126,21 @@ pub fn sentences(stages: &Stages, plan: &Plan, report: &Report) -> String {
     text
 }
 
+/// How many samples a pixel there are in the picture.
+pub fn samples(plan: &Plan, pass: Pass) -> String {
+    let (most, is_transport) = (plan.settings.samples, plan.settings.mode.is_transport());
+    let plural = |count: u32| if count == 1 { "" } else { "s" };
+    match pass {
+        Pass::Squares(side) => format!("one ray for each square of {side}x{side} pixels"),
+        Pass::Samples(count) if is_transport => format!("{count} of {most} samples a pixel"),
+        Pass::Last if is_transport => format!("{most} sample{} a pixel", plural(most)),
+        Pass::Samples(1) => "one ray a pixel, edges are not smooth yet".into(),
+        Pass::Samples(count) => format!("at most {count} samples a pixel"),
+        Pass::Last if most == 1 => "one ray a pixel".into(),
+        Pass::Last => format!("at most {most} samples a pixel"),
+    }
+}
+
 /// What is proven, in one plain sentence on a line.
 fn proven_sentence(report: &Report, method: Method) -> String {
     let pixels = report.hits + report.misses + report.touch + report.undecided;
@@ -134,8 +150,10 @@ fn proven_sentence(report: &Report, method: Method) -> String {
         (Method::March { .. }, _) => {
             "Nothing is proven: the method march samples each ray and can miss what is between two samples.\n".into()
         }
-        (Method::Faithful, 0) => format!("All {pixels} pixels are proven at their centres: {what}.\n"),
-        (Method::Faithful, _) => format!(
+        (Method::Faithful | Method::Intervals, 0) => {
+            format!("All {pixels} pixels are proven at their centres: {what}.\n")
+        }
+        (Method::Faithful | Method::Intervals, _) => format!(
             "{} of {pixels} pixels are proven at their centres ({:.3} %): {what}; {open} {} not.\n",
             report.proven,
             (report.proven as f64 / pixels as f64 * 100_000.0).floor() / 1000.0,

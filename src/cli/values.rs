@@ -5,12 +5,11 @@
 
 use super::args::teaching::Steps;
 use super::args::{BallArg, BoxArg, OrbitArg, Place};
-use crate::expr::lower::{MAX_EXPOSURE, color_of_text};
+use crate::expr::lower::MAX_EXPOSURE;
 use crate::film::Tone;
 use crate::num::rational::Rational;
+use crate::render::Mode;
 use crate::render::filter::Filter;
-use crate::render::{Background, Mode};
-use crate::scene::colour::from_bytes;
 
 /// The most threads that are started, whatever is asked for.
 pub const MAX_THREADS: usize = 1024;
@@ -265,24 +264,6 @@ pub fn filter(name: &str) -> Result<Filter, String> {
 fn unknown<T>(what: &str, name: &str, all: &[(&'static str, T)]) -> String {
     let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
     format!("there is no {what} '{}'; there are {}", shown(name), names.join(", "))
-}
-
-/// What is behind everything.
-///
-/// # Errors
-/// If it is no colour and none of the two words.
-pub fn background(text: &str) -> Result<Background, String> {
-    match text.trim() {
-        "transparent" => Ok(Background::Clear),
-        "sky" => Ok(Background::Sky),
-        name => match color_of_text(name) {
-            Some(bytes) => Ok(Background::Plain(from_bytes(bytes))),
-            None => {
-                let name = shown(name);
-                Err(format!("there is no colour '{name}'; write a name, #rrggbb, transparent or sky"))
-            }
-        },
-    }
 }
 
 /// The mode of a name.

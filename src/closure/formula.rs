@@ -60,20 +60,33 @@ impl Formula {
         self.single.output(&registers, 0).get(0)
     }
 
-    /// What is known of f over each of many boxes.
-    pub fn enclosures(&self, ranges: &[[Interval; 3]]) -> Vec<Enclosure> {
-        let mut registers = self.many.registers();
-        let mut out = Vec::with_capacity(ranges.len());
+    /// The same for many boxes, a number of them at once.
+    pub fn over_boxes(&self) -> OverBoxes<'_> {
+        OverBoxes { kernel: &self.many, registers: self.many.registers() }
+    }
+}
+
+/// A function of boxes, with the memory it runs on.
+pub struct OverBoxes<'a> {
+    kernel: &'a Kernel<IntervalLanes<BOXES>>,
+    registers: Vec<IntervalLanes<BOXES>>,
+}
+
+impl OverBoxes<'_> {
+    /// What is known of f over each box; `out` is replaced.
+    pub fn enclosures(&mut self, ranges: &[[Interval; 3]], out: &mut Vec<Enclosure>) {
+        out.clear();
         for chunk in ranges.chunks(BOXES) {
-            for (lane, range) in chunk.iter().enumerate() {
-                for (register, &side) in registers.iter_mut().zip(range) {
+            for lane in 0..BOXES {
+                // A lane too many does what another does: what was left in it could be a slow case.
+                let range = chunk.get(lane).unwrap_or(&chunk[0]);
+                for (register, &side) in self.registers.iter_mut().zip(range) {
                     register.set(lane, Enclosure::total(side));
                 }
             }
-            self.many.run(&mut registers);
-            let f = self.many.output(&registers, 0);
+            self.kernel.run(&mut self.registers);
+            let f = self.kernel.output(&self.registers, 0);
             out.extend((0..chunk.len()).map(|lane| f.get(lane)));
         }
-        out
     }
 }

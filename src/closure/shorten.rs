@@ -96,14 +96,9 @@ impl Shortener {
                 None => stack.extend_from_slice(sources),
             }
         }
-        let mut list = Vec::new();
-        for (word, &bits) in needed.iter().enumerate() {
-            let mut bits = bits;
-            while bits != 0 {
-                let step = word as u32 * 64 + bits.trailing_zeros();
-                bits &= bits - 1;
-                list.push(self.taken(step, live).map_or(step, |(copy, _)| copy));
-            }
+        let mut list = numbers(&needed);
+        for step in &mut list {
+            *step = self.taken(*step, live).map_or(*step, |(copy, _)| copy);
         }
         list
     }
@@ -119,6 +114,19 @@ impl Shortener {
         };
         Some((self.fork.len() as u32 + 2 * fork + side, operands[side as usize]))
     }
+}
+
+/// The numbers of the bits that are set.
+pub(crate) fn numbers(bits: &[u64]) -> Vec<u32> {
+    let mut list = Vec::new();
+    for (word, &bits) in bits.iter().enumerate() {
+        let mut bits = bits;
+        while bits != 0 {
+            list.push(word as u32 * 64 + bits.trailing_zeros());
+            bits &= bits - 1;
+        }
+    }
+    list
 }
 
 /// Whether any of the live arguments, in rising order, is in the range.

@@ -29,6 +29,12 @@ impl<T: Copy> Layer<T> {
         self.values[j as usize * self.size.width() as usize + i as usize] = value;
     }
 
+    /// Gives pixels from pixel i from the left on, all j from the top, their values.
+    pub fn set_row(&mut self, i: u32, j: u32, values: &[T]) {
+        let first = j as usize * self.size.width() as usize + i as usize;
+        self.values[first..first + values.len()].copy_from_slice(values);
+    }
+
     /// The rows, from the top.
     pub fn rows(&self) -> impl Iterator<Item = &[T]> {
         self.values.chunks_exact(self.size.width() as usize)

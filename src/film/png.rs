@@ -47,12 +47,10 @@ fn write(print: &Print<'_>, notes: &[(&str, String)], bytes: &mut Vec<u8>) -> Re
     }
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer()?;
-    let (width, channels) = (print.picture.size.width() as usize, if print.is_clear() { 4 } else { 3 });
-    let mut line = Vec::with_capacity(width * channels);
-    for row in 0..print.picture.size.height() as usize {
-        line.clear();
-        line.extend((row * width..(row + 1) * width).flat_map(|k| print.pixel(k).into_iter().take(channels)));
-        stream.write_all(&line)?;
+    let mut row = Vec::new();
+    for j in 0..print.picture.size.height() as usize {
+        print.row(j, &mut row);
+        stream.write_all(&row)?;
     }
     stream.finish()?;
     writer.finish()

@@ -34,21 +34,58 @@ impl<'a> Print<'a> {
         self.alpha.is_some() && self.behind.is_none()
     }
 
+    /// How many bytes a pixel has.
+    pub fn channels(&self) -> usize {
+        if self.is_clear() { 4 } else { 3 }
+    }
+
     /// The bytes of all pixels, row by row from the top: red, green, blue, and alpha if it is clear. Colours are not multiplied
     /// by alpha.
     pub fn bytes(&self) -> Vec<u8> {
-        let channels = if self.is_clear() { 4 } else { 3 };
-        (0..self.picture.values.len()).flat_map(|k| self.pixel(k).into_iter().take(channels)).collect()
+        let mut bytes = vec![0; self.picture.values.len() * self.channels()];
+        self.develop(0, &mut bytes);
+        bytes
     }
 
-    /// The bytes of the k-th pixel.
-    pub fn pixel(&self, k: usize) -> [u8; 4] {
-        let light = self.picture.values[k];
+    /// The bytes of the j-th row from the top; `bytes` is replaced.
+    pub fn row(&self, j: usize, bytes: &mut Vec<u8>) {
+        let width = self.picture.size.width() as usize;
+        bytes.clear();
+        bytes.resize(width * self.channels(), 0);
+        self.develop(j * width, bytes);
+    }
+
+    /// The bytes of pixels from the k-th on, as many as there is room for.
+    fn develop(&self, first: usize, bytes: &mut [u8]) {
+        let lights = self.picture.values[first..].iter();
         let Some(alpha) = self.alpha else {
-            let [r, g, b] = self.tone.bytes(light.map(|light| light * self.gain));
-            return [r, g, b, 255];
+            let mut before = ([0; 3], self.whole([0.0; 3]));
+            for (&light, bytes) in lights.zip(bytes.chunks_exact_mut(3)) {
+                // Much of most pictures is the same as beside it.
+                let bits = [light[0].to_bits(), light[1].to_bits(), light[2].to_bits()];
+                if bits != before.0 {
+                    before = (bits, self.whole(light));
+                }
+                bytes.copy_from_slice(&before.1);
+            }
+            return;
         };
-        let alpha = alpha.values[k].clamp(0.0, 1.0);
+        let pixels = lights.zip(&alpha.values[first..]);
+        for ((&light, &alpha), bytes) in pixels.zip(bytes.chunks_exact_mut(self.channels())) {
+            bytes.copy_from_slice(&self.covered(light, alpha)[..bytes.len()]);
+        }
+    }
+
+    /// The bytes of a pixel that is covered.
+    #[inline]
+    fn whole(&self, light: [f32; 3]) -> [u8; 3] {
+        let [r, g, b] = light;
+        self.tone.bytes([r * self.gain, g * self.gain, b * self.gain])
+    }
+
+    /// The bytes of a pixel of which a share is covered.
+    fn covered(&self, light: [f32; 3], alpha: f32) -> [u8; 4] {
+        let alpha = alpha.clamp(0.0, 1.0);
         let whole = if alpha > 0.0 { light.map(|light| light / alpha * self.gain) } else { [0.0; 3] };
         match self.behind {
             None => {

@@ -31,17 +31,26 @@ impl Tone {
     }
 
     /// The bytes of one pixel.
+    #[inline]
     pub fn bytes(self, pixel: [f32; 3]) -> [u8; 3] {
         match self {
-            Tone::Linear | Tone::Neutral | Tone::Agx => self.light(pixel).map(byte_from_linear),
+            Tone::Linear | Tone::Neutral | Tone::Agx => {
+                // Written out: a map over an array stays a call, and there are millions of pixels.
+                let [r, g, b] = self.light(pixel);
+                [byte_from_linear(r), byte_from_linear(g), byte_from_linear(b)]
+            }
             Tone::Data => pixel.map(|value| (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8),
         }
     }
 
     /// The light that a screen is to show, of 0..=1.
+    #[inline]
     pub fn light(self, pixel: [f32; 3]) -> [f32; 3] {
         match self {
-            Tone::Linear | Tone::Data => pixel.map(|light| light.clamp(0.0, 1.0)),
+            Tone::Linear | Tone::Data => {
+                let [r, g, b] = pixel;
+                [r.clamp(0.0, 1.0), g.clamp(0.0, 1.0), b.clamp(0.0, 1.0)]
+            }
             Tone::Neutral => neutral(pixel),
             Tone::Agx => agx(pixel),
         }

@@ -1,6 +1,6 @@
 //! A fixed-size array of affine forms: the batch that cells of the screen are computed in.
 //!
-//! In: c + s₀·ε₀ + s₁·ε₁ + s₂·ε₂ ± error, every ε in [−1, 1]. Out: the same of the function's value, which lies within
+//! In: c + s₀·ε₀ + … ± error, every ε in [−1, 1]: three symbols for squares of the screen, one along a ray. Out: the same of the function's value, which lies within
 //! `error` of the linear part for each choice of the ε. Where an interval knows how large a function gets, a form
 //! also knows how it leans, so that differences of what leans alike stay small (Stolfi and de Figueiredo,
 //! Self-Validated Numerical Methods and Applications, 1997, chapter 3). Separate from intervals because it is
@@ -15,17 +15,17 @@ use super::level::Level;
 use super::mask::{Mask, any};
 use super::number::{Constant, Number};
 
-/// How many symbols a form has: across, down, along.
+/// How many symbols the form of a square has: across, down, along.
 pub const SYMBOLS: usize = 3;
 
-/// N affine forms. A form whose numbers are not finite says nothing; one with [`NOWHERE`] has no value.
+/// N affine forms of S symbols. A form whose numbers are not finite says nothing; one with [`NOWHERE`] has no value.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub struct AffineLanes<const N: usize> {
+pub struct AffineLanes<const N: usize, const S: usize = SYMBOLS> {
     /// The value where every ε is 0.
     pub center: [f64; N],
     /// What each ε adds.
-    pub slope: [[f64; N]; SYMBOLS],
+    pub slope: [[f64; N]; S],
     /// How far the function can be from the linear part, ≥ 0.
     pub error: [f64; N],
     /// As those of [`IntervalLanes`].
@@ -38,17 +38,20 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// What is added besides, for products too small for their roundings to be a part of them.
 const TINY: f64 = 1e-300;
 
-impl<const N: usize> AffineLanes<N> {
+impl<const N: usize, const S: usize> AffineLanes<N, S> {
     /// The same number in every lane, give or take an error.
     pub fn splat(center: f64, error: f64) -> Self {
-        AffineLanes { center: [center; N], slope: [[0.0; N]; SYMBOLS], error: [error; N], flags: [0; N] }
+        AffineLanes { center: [center; N], slope: [[0.0; N]; S], error: [error; N], flags: [0; N] }
     }
 
     /// How far the value of lane i can be from its centre.
     #[inline(always)]
     pub fn radius(&self, i: usize) -> f64 {
-        let (a, b, c) = (self.slope[0][i].abs(), self.slope[1][i].abs(), self.slope[2][i].abs());
-        ((a + b) + (c + self.error[i])) * (1.0 + ROUNDING) + TINY
+        let mut sum = self.error[i];
+        for k in 0..S {
+            sum += self.slope[k][i].abs();
+        }
+        sum * (1.0 + ROUNDING) + TINY
     }
 
     /// The bounds of lane i; NaN if the form says nothing.
@@ -106,7 +109,8 @@ use repair;
 /// Operations that are computed on intervals alone, for they are rare where cells are traced.
 macro_rules! by_intervals {
     ($($name:ident),*) => {
-        $(fn $name<L: Level>(a: &Self, out: &mut Self) {
+        $(#[inline(always)]
+        fn $name<L: Level>(a: &Self, out: &mut Self) {
             repair!([u64::MAX; N], out, $name::<L>(a));
         })*
     };
@@ -116,12 +120,12 @@ macro_rules! by_forms {
     ($($module:ident :: $name:ident($($argument:ident),*) $(<$level:ident>)?;)*) => {
         $(#[inline(always)]
         fn $name<L: Level>($($argument: &Self,)* out: &mut Self) {
-            $module::$name$(::<$level, N>)?($($argument,)* out);
+            $module::$name$(::<$level, N, S>)?($($argument,)* out);
         })*
     };
 }
 
-impl<const N: usize> Number for AffineLanes<N> {
+impl<const N: usize, const S: usize> Number for AffineLanes<N, S> {
     fn constant(value: Constant) -> Self {
         let radius = (value.range.hi - value.point).max(value.point - value.range.lo);
         let error = if radius > 0.0 { radius * (1.0 + ROUNDING) } else { 0.0 };
@@ -160,7 +164,7 @@ impl<const N: usize> Number for AffineLanes<N> {
 
     #[inline(always)]
     fn sin_cos<L: Level>(a: &Self, sin: &mut Self, cos: &mut Self) {
-        elementary::sin_cos::<L, N>(a, sin, cos);
+        elementary::sin_cos::<L, N, S>(a, sin, cos);
     }
 
     #[inline(always)]
@@ -175,30 +179,32 @@ impl<const N: usize> Number for AffineLanes<N> {
 
     #[inline(always)]
     fn power<L: Level>(a: &Self, n: i64, out: &mut Self) {
-        elementary::power::<L, N>(a, n, out);
+        elementary::power::<L, N, S>(a, n, out);
     }
 
     #[inline(always)]
     fn root<L: Level>(a: &Self, n: u32, out: &mut Self) {
-        elementary::root::<L, N>(a, n, out);
+        elementary::root::<L, N, S>(a, n, out);
     }
 
     #[inline(always)]
     fn pow<L: Level>(a: &Self, b: &Self, out: &mut Self) {
-        elementary::pow::<L, N>(a, b, out);
+        elementary::pow::<L, N, S>(a, b, out);
     }
 
+    #[inline(always)]
     fn atan2<L: Level>(a: &Self, b: &Self, out: &mut Self) {
         repair!([u64::MAX; N], out, atan2::<L>(a, b));
     }
 
+    #[inline(always)]
     fn floor_div<L: Level>(a: &Self, b: &Self, n: i64, out: &mut Self) {
         repair!([u64::MAX; N], out, floor_div::<L>(a, b; n));
     }
 
     #[inline(always)]
     fn choose<L: Level>(c: &Self, a: &Self, b: &Self, out: &mut Self) {
-        choice::choose::<L, N>(c, a, b, out);
+        choice::choose::<L, N, S>(c, a, b, out);
     }
 }
 

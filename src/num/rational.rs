@@ -7,6 +7,7 @@ use super::interval::Interval;
 use num_bigint::{BigInt, BigUint, Sign};
 use num_rational::Ratio;
 use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
 use std::fmt;
 
 /// Folding stops at fractions with more bits than this in numerator or denominator: above it exact
@@ -41,10 +42,7 @@ impl Rational {
         if !x.is_finite() {
             return None;
         }
-        let bits = x.to_bits();
-        let exponent = ((bits >> 52) & 0x7ff) as i64;
-        let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, power) = if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
+        let (mantissa, power) = parts(x);
         let sign = if x < 0.0 { Sign::Minus } else { Sign::Plus };
         let whole = BigInt::from_biguint(if mantissa == 0 { Sign::NoSign } else { sign }, BigUint::from(mantissa));
         Some(Rational(if power >= 0 {
@@ -149,7 +147,13 @@ impl Rational {
 
     /// a · b; `None` when too large.
     pub fn times(&self, other: &Self) -> Option<Self> {
-        Self::limited(&self.0 * &other.0)
+        // Most factors are 1 or whole, where there is nothing to be reduced.
+        match (self.is_integer(), other.is_integer()) {
+            (true, _) if self.is_one() => Some(other.clone()),
+            (_, true) if other.is_one() => Some(self.clone()),
+            (true, true) => Self::from_big_integer(self.0.numer() * other.0.numer()),
+            _ => Self::limited(&self.0 * &other.0),
+        }
     }
 
     /// a / b; `None` when too large or b = 0.
@@ -203,12 +207,33 @@ impl Rational {
             let (lo, hi) = if near > 0.0 { (f64::MAX, f64::INFINITY) } else { (f64::NEG_INFINITY, -f64::MAX) };
             return Interval { lo, hi };
         }
-        match Self::from_f64(near).map(|exact| exact.cmp(self)) {
-            Some(std::cmp::Ordering::Less) => Interval { lo: near, hi: near.next_up() },
-            Some(std::cmp::Ordering::Greater) => Interval { lo: near.next_down(), hi: near },
-            _ => Interval { lo: near, hi: near },
+        match self.compared_with(near) {
+            Ordering::Greater => Interval { lo: near, hi: near.next_up() },
+            Ordering::Less => Interval { lo: near.next_down(), hi: near },
+            Ordering::Equal => Interval { lo: near, hi: near },
         }
     }
+
+    /// How it compares with a finite f64 m·2^e of the same sign: as p with m·2^e·q, without a fraction that would have to be reduced.
+    fn compared_with(&self, near: f64) -> Ordering {
+        let (mantissa, power) = parts(near);
+        let (p, q) = (self.0.numer().magnitude(), self.0.denom().magnitude());
+        let product = q * mantissa;
+        let order = if power >= 0 {
+            p.cmp(&(product << power.unsigned_abs()))
+        } else {
+            (p << power.unsigned_abs()).cmp(&product)
+        };
+        if self.0.is_negative() { order.reverse() } else { order }
+    }
+}
+
+/// |x| = m·2^e of a finite f64.
+fn parts(x: f64) -> (u64, i64) {
+    let bits = x.to_bits();
+    let exponent = ((bits >> 52) & 0x7ff) as i64;
+    let fraction = bits & ((1 << 52) - 1);
+    if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) }
 }
 
 /// p/q to the nearest f64, ties to even: 55 or more bits of quotient with the remainder as a sticky bit, then one rounding.
@@ -309,6 +334,13 @@ mod tests {
             assert_eq!(value.to_f64().to_bits(), standard.to_bits(), "{text}");
             let range = value.enclosure();
             assert!(range.lo <= standard && standard <= range.hi);
+            if standard.is_finite() {
+                let exact = Rational::from_f64(standard).expect(text);
+                let (below, above) = (Rational::from_f64(range.lo), Rational::from_f64(range.hi));
+                assert!(below.is_some_and(|lo| lo <= value) && above.is_none_or(|hi| value <= hi), "{text}");
+                assert_eq!(range.lo == range.hi, exact == value, "{text}");
+                assert_eq!(value.negated().enclosure(), Interval { lo: -range.hi, hi: -range.lo }, "{text}");
+            }
         }
     }
 

@@ -6,6 +6,7 @@
 
 #![allow(clippy::print_stdout)]
 
+use super::affine_lanes::AffineLanes;
 use super::func::native;
 use super::interval::{Enclosure, Interval};
 use super::interval_lanes::IntervalLanes;
@@ -48,12 +49,26 @@ fn time_cells(run: Runner<IntervalLanes<16>>) -> f64 {
     nanoseconds(|repeat| run(Simd::best(), repeat, &a, &b, &mut out))
 }
 
+fn time_forms<const S: usize>(run: Runner<AffineLanes<16, S>>) -> f64 {
+    let form = |first: usize| AffineLanes {
+        center: std::array::from_fn(|i| number(i + first)),
+        slope: [[0.02; 16]; S],
+        error: [1e-9; 16],
+        flags: [0; 16],
+    };
+    let (a, b) = (form(3), form(20));
+    let mut out = a;
+    nanoseconds(|repeat| run(Simd::best(), repeat, &a, &b, &mut out))
+}
+
 #[test]
 #[ignore = "prints a table"]
 fn table() {
-    println!("{:>13} {:>12} {:>12}  ns", "", "64 points", "16 intervals");
+    println!("{:>13} {:>12} {:>12} {:>12} {:>12}  ns", "", "64 points", "16 intervals", "16 forms", "along a ray");
     for trial in trials() {
-        println!("{:>13} {:12.1} {:12.1}", trial.name, time_points(trial.points), time_cells(trial.cells));
+        let [points, cells] = [time_points(trial.points), time_cells(trial.cells)];
+        let [forms, along] = [time_forms(trial.forms), time_forms(trial.along)];
+        println!("{:>13} {points:12.1} {cells:12.1} {forms:12.1} {along:12.1}", trial.name);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The operations as the tests of this folder try them.
 //!
-//! In: nothing. Out: one row an operation: on arrays of points, on arrays of intervals, on one enclosure, and the
+//! In: nothing. Out: one row an operation: on arrays of points, of intervals, of forms, on one enclosure, and the
 //! correctly rounded value. Separate because several tests walk the same table; compiled for tests alone.
 
 use super::affine_lanes::AffineLanes;
@@ -24,6 +24,7 @@ pub(super) struct Trial {
     pub(super) cells: Runner<IntervalLanes<16>>,
     pub(super) forms: Runner<AffineLanes<16>>,
     pub(super) balls: Runner<BallLanes<64>>,
+    pub(super) along: Runner<AffineLanes<16, 1>>,
     pub(super) enclosure: fn(Enclosure, Enclosure) -> Enclosure,
     pub(super) exact: fn(f64, f64) -> f64,
 }
@@ -133,6 +134,7 @@ macro_rules! trial {
             cells: $name,
             forms: $name,
             balls: $name,
+            along: $name,
             enclosure: |$a, $b| {
                 let _ = $b;
                 $enclosure

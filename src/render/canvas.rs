@@ -9,7 +9,7 @@ use super::settings::{Mode, Settings};
 use super::studio::glimpse::Remembered;
 use super::tiles::{Drawing, Pass, Report, Tile};
 use crate::film::{Layer, Size};
-use crate::surface::{Counts, Hit};
+use crate::surface::{Counts, Hit, Rectangle};
 use std::sync::{Mutex, MutexGuard};
 
 /// What all threads write to, under one lock that is held for a copy at a time.
@@ -72,21 +72,20 @@ impl Canvas {
 
     /// Keeps what the rays through the centres of a tile's pixels know.
     pub fn keep(&mut self, tile: Tile, hits: &[Hit], samples: u32) {
-        for ((i, j), hit) in tile.pixels().zip(hits) {
-            if let Some(depth) = &mut self.drawing.depth {
-                depth.set(i, j, hit.t as f32);
-            }
-            if let Some(alpha) = &mut self.drawing.alpha {
-                alpha.set(i, j, f32::from(u8::from(hit.is_drawn())));
-            }
-            if let Some(normals) = &mut self.drawing.normals {
-                normals.set(i, j, hit.normal.as_vec3().to_array());
-            }
-            if samples > 1 {
-                self.known.set(i, j, Knowledge::of(hit));
-            }
-            self.drawing.report.count(hit);
+        let seen = || tile.pixels().zip(hits);
+        if let Some(depth) = &mut self.drawing.depth {
+            seen().for_each(|((i, j), hit)| depth.set(i, j, hit.t as f32));
         }
+        if let Some(alpha) = &mut self.drawing.alpha {
+            seen().for_each(|((i, j), hit)| alpha.set(i, j, f32::from(u8::from(hit.is_drawn()))));
+        }
+        if let Some(normals) = &mut self.drawing.normals {
+            seen().for_each(|((i, j), hit)| normals.set(i, j, hit.normal.as_vec3().to_array()));
+        }
+        if samples > 1 {
+            seen().for_each(|((i, j), hit)| self.known.set(i, j, Knowledge::of(hit)));
+        }
+        hits.iter().for_each(|hit| self.drawing.report.count(hit));
     }
 
     /// Keeps what neighbours want to know of the tile's pixels.
@@ -98,7 +97,10 @@ impl Canvas {
 
     /// Gives the pixels of a tile their colours.
     pub fn colour(&mut self, tile: Tile, colours: &[[f32; 3]]) {
-        tile.pixels().zip(colours).for_each(|((i, j), &colour)| self.drawing.picture.set(i, j, colour));
+        let Rectangle { left, top, width, .. } = tile.rectangle();
+        for (j, row) in (top..).zip(colours.chunks(width as usize)) {
+            self.drawing.picture.set_row(left, j, row);
+        }
     }
 
     /// Fills squares with the colours of what their rays hit.

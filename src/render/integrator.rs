@@ -4,7 +4,7 @@
 
 use super::settings::{Background, Mode};
 use super::{cosine, data, mirror};
-use crate::scene::Scene;
+use crate::scene::{Scene, Sides, studio};
 use crate::surface::{Hit, Ray};
 use glam::DVec3;
 
@@ -18,7 +18,10 @@ pub fn shade(mode: Mode, scene: &Scene, rays: &[Ray], hits: &[Hit], colours: &mu
     match mode {
         Mode::Studio | Mode::Path | Mode::Light | Mode::Bidirectional => {}
         Mode::Whitted | Mode::Angle | Mode::End | Mode::Bounces => {}
-        Mode::Cosine => colours.extend(rays.zip(sides).map(|((ray, hit), side)| cosine::colour(scene, ray, hit, side))),
+        Mode::Cosine => {
+            let light = studio::shoulder(&scene.camera);
+            colours.extend(rays.zip(sides).map(|((ray, hit), side)| cosine::colour(light, ray, hit, side)));
+        }
         Mode::Mirror => colours.extend(rays.zip(sides).map(|((ray, hit), side)| mirror::colour(scene, ray, hit, side))),
         Mode::Curvature => colours.extend(rays.zip(sides).map(|((ray, hit), side)| data::curvature(ray, hit, side))),
         Mode::Normal => colours.extend(rays.map(|(_, hit)| data::normal(hit))),
@@ -55,6 +58,10 @@ pub struct Place {
 
 /// The colours of the sides that were hit; black where nothing was.
 pub fn sides(scene: &Scene, rays: &[Ray], hits: &[Hit]) -> Vec<DVec3> {
+    if !scene.sides.iter().any(Sides::is_varying) {
+        let side = |hit: &Hit| plain(&scene.sides[hit.surface as usize], hit.flipped);
+        return hits.iter().map(|hit| if hit.is_drawn() { side(hit) } else { DVec3::ZERO }).collect();
+    }
     colours_of(
         scene,
         rays.iter().zip(hits).map(|(ray, hit)| {
@@ -62,6 +69,11 @@ pub fn sides(scene: &Scene, rays: &[Ray], hits: &[Hit]) -> Vec<DVec3> {
             hit.is_drawn().then(place)
         }),
     )
+}
+
+/// The colour of a side, where it is the same everywhere.
+fn plain(sides: &Sides, is_negative: bool) -> DVec3 {
+    if is_negative { sides.back } else { sides.front }
 }
 
 /// The colours of places; black where there is none. Those of one surface are computed together.
@@ -76,7 +88,7 @@ pub fn colours_of(scene: &Scene, places: impl Iterator<Item = Option<Place>>) ->
                 if sides.is_varying() {
                     varying[place.surface].push((k, place));
                 }
-                if place.is_negative { sides.back } else { sides.front }
+                plain(sides, place.is_negative)
             }
         });
     }

@@ -334,9 +334,9 @@ impl<'a, T: Trace> Job<'a, T> {
             worker.leave();
         };
         let threads = self.settings.threads.clamp(1, tiles.len());
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
-        match pool {
-            Ok(pool) if threads > 1 => {
+        let pool = || rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
+        match (threads > 1).then(pool) {
+            Some(Ok(pool)) => {
                 pool.broadcast(|_| work());
             }
             // One thread needs no others; and where the system gives none, one draws the same picture.

@@ -4,7 +4,7 @@
 
 use super::texture::Texture;
 use crate::num::func;
-use crate::num::level::Portable;
+use crate::num::level::{Level, Portable};
 use glam::DVec3;
 
 /// Hues after Okabe and Ito, "Color Universal Design" (2008), which people of every kind of colour vision tell apart; a
@@ -88,7 +88,13 @@ fn back_of(front: DVec3) -> DVec3 {
 
 /// The linear light of an sRGB value of 0..=1 (IEC 61966-2-1).
 pub fn linear_from_srgb(value: f64) -> f64 {
-    if value <= 0.04045 { value / 12.92 } else { func::pow::<Portable>((value + 0.055) / 1.055, 2.4) }
+    linear_from_srgb_by::<Portable>(value)
+}
+
+/// The same by the instructions of a level, for who needs many.
+#[inline(always)]
+pub fn linear_from_srgb_by<L: Level>(value: f64) -> f64 {
+    if value <= 0.04045 { value / 12.92 } else { func::pow::<L>((value + 0.055) / 1.055, 2.4) }
 }
 
 /// The linear light of three sRGB bytes.

@@ -4,7 +4,8 @@
 //! A ball around everything would do as well, but most things are not round, and the picture is wider than high.
 
 use super::camera::Camera;
-use super::cells::{Classify, Cube, extreme};
+use super::cells::{Classify, Cube};
+use super::extreme::extreme;
 use glam::DVec3;
 
 /// The share of the picture that is filled, across or upright; the rest is air.
@@ -134,7 +135,7 @@ impl Reach {
 #[cfg(test)]
 mod tests {
     use super::super::camera::Projection;
-    use super::super::cells::Cell;
+    use super::super::cells::{Cell, each};
     use super::*;
 
     const SLOPES: Slopes = [0.5, 0.4];
@@ -170,11 +171,11 @@ mod tests {
             if min.cmple(high).all() && max.cmpge(low).all() { Cell::Possible } else { Cell::Empty }
         };
         let bounds = [DVec3::splat(-4.0), DVec3::splat(4.0)];
-        let stand = Reach::of_boxes(&plate, bounds, DVec3::ZERO, &camera(), SLOPES).unwrap().stand(1.0);
+        let stand = Reach::of_boxes(&each(plate), bounds, DVec3::ZERO, &camera(), SLOPES).unwrap().stand(1.0);
         let expected = 2.0 / (SLOPES[0] * FILLED);
         assert!(stand.back >= expected && stand.back < 1.06 * expected, "{stand:?}");
         assert!(stand.right.abs() < 0.05 && stand.up.abs() < 0.05);
-        assert_eq!(Reach::of_boxes(&|_, _| Cell::Empty, bounds, DVec3::ZERO, &camera(), SLOPES), None);
+        assert_eq!(Reach::of_boxes(&each(|_, _| Cell::Empty), bounds, DVec3::ZERO, &camera(), SLOPES), None);
     }
 
     #[test]

@@ -4,7 +4,8 @@
 //! surfaces, or around the part of them that is nearest to the origin. Separate from the camera because a clip is
 //! found in the same way whoever looks.
 
-use super::cells::{Cell, Classify, Cube, EXTREME_CELLS, EXTREME_SHARE, Ranked, extreme};
+use super::cells::{Asked, Cell, Classify, Cube};
+use super::extreme::{EXTREME_CELLS, EXTREME_SHARE, Ranked, extreme};
 use crate::surface::Shape;
 use glam::DVec3;
 use std::collections::BinaryHeap;
@@ -101,14 +102,16 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Whether a surface may be in the cube, halved at most `depth` times.
-    fn survives(&mut self, cube: Cube, depth: u32) -> bool {
+    fn survives(&mut self, Asked { cube, cell }: Asked, depth: u32) -> bool {
         if self.cells_left == 0 {
             return true;
         }
         self.cells_left -= 1;
-        match (self.classify)(cube.min, cube.max) {
+        match cell {
             Cell::Possible if depth == 0 => true,
-            Cell::Possible => cube.children().into_iter().any(|child| self.survives(child, depth - 1)),
+            Cell::Possible => {
+                cube.asked_children(self.classify).into_iter().any(|child| self.survives(child, depth - 1))
+            }
             Cell::Positive | Cell::Negative | Cell::Undefined | Cell::Empty => false,
         }
     }
@@ -116,17 +119,17 @@ impl Search<'_> {
     /// Whether nothing is between the cubes of half sides `half / 2` and `half`.
     fn shell_is_empty(&mut self, half: f64) -> bool {
         let step = half / 2.0;
-        let is_inner = |i: i32| i == 1 || i == 2;
-        for (i, j, k) in (0..64).map(|n| (n & 3, (n >> 2) & 3, n >> 4)) {
-            if is_inner(i) && is_inner(j) && is_inner(k) {
-                continue;
-            }
-            let min = DVec3::new(f64::from(i), f64::from(j), f64::from(k)) * step - DVec3::splat(half);
-            if self.survives(Cube { min, max: min + DVec3::splat(step) }, SHELL_DEPTH) {
-                return false;
-            }
-        }
-        true
+        let is_inner = |i: u32| i == 1 || i == 2;
+        let places = (0..64u32).map(|n| [n & 3, (n >> 2) & 3, n >> 4]);
+        let cubes = places.filter(|place| !place.iter().all(|&i| is_inner(i))).map(|place| {
+            let min = DVec3::from_array(place.map(f64::from)) * step - DVec3::splat(half);
+            Cube { min, max: min + DVec3::splat(step) }
+        });
+        let cubes: Vec<Cube> = cubes.collect();
+        let mut cells = vec![Cell::Possible; cubes.len()];
+        (self.classify)(&cubes, &mut cells);
+        let mut asked = cubes.into_iter().zip(cells).map(|(cube, cell)| Asked { cube, cell });
+        !asked.any(|asked| self.survives(asked, SHELL_DEPTH))
     }
 
     /// The ball around all there is, if enough space around it is empty.
@@ -140,7 +143,7 @@ impl Search<'_> {
             }
             let inside = Cube::around_origin(half / f64::from(1 << EMPTY_SHELLS));
             if empty_shells >= EMPTY_SHELLS
-                && self.survives(inside, INSIDE_DEPTH)
+                && self.survives(inside.asked(self.classify), INSIDE_DEPTH)
                 && let Some(framing) = self.around_all(inside)
             {
                 return Some(framing);
@@ -196,19 +199,23 @@ impl Search<'_> {
 
     /// The ball around the point nearest to the origin; in the middle, if there are several as near.
     fn nearest(&mut self) -> Result<Framing, Nothing> {
-        let mut queue = BinaryHeap::from([Ranked::new(Cube::around_origin(f64::from(1u32 << MAX_POWER)), &nearness)]);
+        let all = Cube::around_origin(f64::from(1u32 << MAX_POWER)).asked(self.classify);
+        let mut queue = BinaryHeap::from([Ranked::new(all, &nearness)]);
         let mut proven = None;
         self.cells_left = MAX_CELLS;
-        while let Some(Ranked { key, cube }) = queue.pop() {
+        while let Some(Ranked { key, asked }) = queue.pop() {
             let width = NEAREST_WIDTH.max(-key * NEAREST_SHARE);
             self.cells_left = self.cells_left.saturating_sub(1);
-            match (self.classify)(cube.min, cube.max) {
-                Cell::Possible if cube.width() <= width || self.cells_left == 0 => {
-                    let cube = self.dive(cube);
+            match asked.cell {
+                Cell::Possible if asked.cube.width() <= width || self.cells_left == 0 => {
+                    let cube = self.dive(asked);
                     let center = self.center_of_nearest(cube.nearest_point());
                     return Ok(Framing { center, radius: ENDLESS_RADIUS, is_all: false });
                 }
-                Cell::Possible => queue.extend(cube.children().map(|child| Ranked::new(child, &nearness))),
+                Cell::Possible => {
+                    let children = asked.cube.asked_children(self.classify);
+                    queue.extend(children.map(|child| Ranked::new(child, &nearness)));
+                }
                 other => proven = Some(if proven.is_none_or(|p| p == other) { other } else { Cell::Empty }),
             }
         }
@@ -217,25 +224,25 @@ impl Search<'_> {
 
     /// A box inside `cube` that is small beside the ball and may hold a surface, the nearest ones tried first; the cube
     /// itself if none is found within the work allowed.
-    fn dive(&mut self, cube: Cube) -> Cube {
+    fn dive(&mut self, start: Asked) -> Cube {
         self.cells_left = MAX_CELLS;
-        let mut stack = vec![cube];
+        let mut stack = vec![start];
         while let Some(next) = stack.pop() {
             if self.cells_left == 0 {
                 break;
             }
             self.cells_left -= 1;
-            if (self.classify)(next.min, next.max) != Cell::Possible {
+            if next.cell != Cell::Possible {
                 continue;
             }
-            if next.width() <= SMALL {
-                return next;
+            if next.cube.width() <= SMALL {
+                return next.cube;
             }
-            let mut children = next.children();
-            children.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+            let mut children = next.cube.asked_children(self.classify);
+            children.sort_by(|a, b| nearness(&a.cube).total_cmp(&nearness(&b.cube)));
             stack.extend(children);
         }
-        cube
+        start.cube
     }
 
     /// The middle of all points about as near as the nearest, if it is close to them; else the nearest itself.
@@ -245,7 +252,7 @@ impl Search<'_> {
         self.cells_left = TIE_CELLS;
         let half = f64::from((distance + 1.0).min(1e6).ceil() as u32).max(1.0);
         let half = (half as u32).next_power_of_two();
-        self.gather(Cube::around_origin(f64::from(half)), distance + TIE_WIDTH, &mut found);
+        self.gather(Cube::around_origin(f64::from(half)).asked(self.classify), distance + TIE_WIDTH, &mut found);
         let middle = found.iter().sum::<DVec3>() / found.len().max(1) as f64;
         let is_close = (middle - nearest).length() < ENDLESS_RADIUS / 2.0;
         let center = if self.cells_left > 0 && !found.is_empty() && is_close { middle } else { nearest };
@@ -254,19 +261,19 @@ impl Search<'_> {
     }
 
     /// The middles of boxes within `distance` of the origin that may hold a surface.
-    fn gather(&mut self, cube: Cube, distance: f64, found: &mut Vec<DVec3>) {
+    fn gather(&mut self, Asked { cube, cell }: Asked, distance: f64, found: &mut Vec<DVec3>) {
         if self.cells_left == 0 || cube.nearest_point().length() > distance {
             return;
         }
         self.cells_left -= 1;
-        if (self.classify)(cube.min, cube.max) != Cell::Possible {
+        if cell != Cell::Possible {
             return;
         }
         if cube.width() <= TIE_WIDTH {
             found.push((cube.min + cube.max) * 0.5);
             return;
         }
-        for child in cube.children() {
+        for child in cube.asked_children(self.classify) {
             self.gather(child, distance, found);
         }
     }
@@ -292,6 +299,7 @@ fn round_to_three_digits(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::cells::each;
     use super::*;
 
     /// Classifies boxes against the sphere around `center`, exactly.
@@ -320,7 +328,7 @@ mod tests {
             (DVec3::new(1e6, 0.0, 0.0), 1.0),
         ];
         for (center, radius) in rows {
-            let framing = find(&sphere(center, radius)).unwrap();
+            let framing = find(&each(sphere(center, radius))).unwrap();
             assert!(framing.is_all);
             assert!((framing.center - center).length() < 0.03 * radius, "{framing:?}");
             assert!(framing.radius > 1.02 * radius && framing.radius < 1.12 * radius, "{framing:?}");
@@ -330,7 +338,7 @@ mod tests {
     #[test]
     fn a_point_is_framed_by_a_ball_of_radius_one() {
         for center in [DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0), DVec3::new(-0.1, 70.0, 1e-5), DVec3::splat(1e5)] {
-            let framing = find(&sphere(center, 0.0)).unwrap();
+            let framing = find(&each(sphere(center, 0.0))).unwrap();
             assert_eq!((framing.radius, framing.is_all), (1.0, true), "{center}");
             assert!(framing.center.distance(center) < 1e-3, "{framing:?}");
         }
@@ -338,7 +346,7 @@ mod tests {
 
     #[test]
     fn what_is_framed_is_easily_typed() {
-        let framing = find(&sphere(DVec3::new(0.123456, -7.654321, 0.0), 0.5)).unwrap();
+        let framing = find(&each(sphere(DVec3::new(0.123456, -7.654321, 0.0), 0.5))).unwrap();
         assert!(framing.center.distance(DVec3::new(0.123456, -7.654321, 0.0)) < 0.003);
         assert!(framing.center.to_array().iter().all(|c| c.to_string().len() <= 6), "{framing:?}");
     }
@@ -353,7 +361,7 @@ mod tests {
             }
         };
         for height in [0.0, 1.0, -40.0, 1000.0f64] {
-            let framing = find(&plane(height)).unwrap();
+            let framing = find(&each(plane(height))).unwrap();
             let tolerance = 0.1 + height.abs() / 64.0;
             assert!((framing.center - DVec3::Z * height).length() < tolerance, "{height}: {framing:?}");
             assert_eq!((framing.radius, framing.is_all), (6.0, false));
@@ -367,15 +375,15 @@ mod tests {
             let inside = cube.nearest_point().length() <= 1.0 && cube.farthest(DVec3::ZERO) >= 1.0;
             if inside { Cell::Possible } else { Cell::Empty }
         };
-        assert_eq!(find(&tube).unwrap(), Framing { center: DVec3::ZERO, radius: 6.0, is_all: false });
+        assert_eq!(find(&each(tube)).unwrap(), Framing { center: DVec3::ZERO, radius: 6.0, is_all: false });
     }
 
     #[test]
     fn nothing_is_said_with_what_is_proven() {
         for cell in [Cell::Positive, Cell::Negative, Cell::Undefined, Cell::Empty] {
-            assert_eq!(find(&|_, _| cell), Err(Nothing(cell)));
+            assert_eq!(find(&each(|_, _| cell)), Err(Nothing(cell)));
         }
         let both = |min: DVec3, _: DVec3| if min.x >= 0.0 { Cell::Positive } else { Cell::Empty };
-        assert_eq!(find(&both), Err(Nothing(Cell::Empty)));
+        assert_eq!(find(&each(both)), Err(Nothing(Cell::Empty)));
     }
 }

@@ -34,7 +34,7 @@ pub enum Kind {
     Matte,
     /// Matte under a coat of this refractive index.
     Plastic {
-        /// Of the coat, relative to what is outside.
+        /// Of the coat, relative to air.
         ior: f64,
     },
     /// Rough or smooth metal; `None`: the colour is the reflectance at normal incidence.
@@ -45,7 +45,7 @@ pub enum Kind {
     Glass(Dielectric),
 }
 
-/// The complex refractive index n + ik of a metal for red, green and blue.
+/// The complex refractive index n + ik of a metal, relative to air, for red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conductor {
     /// The real part.
@@ -65,6 +65,21 @@ pub struct Dielectric {
     pub inside_is_negative: bool,
     /// Where solids overlap, the one of the greatest priority fills the place.
     pub priority: u32,
+}
+
+impl Kind {
+    /// The same where a medium of this refractive index surrounds it: what is known relative to air becomes relative to that medium.
+    /// Of glass both sides are media, and known elsewhere.
+    pub fn inside(self, surrounding: f64) -> Self {
+        match self {
+            _ if surrounding == 1.0 => self,
+            Kind::Plastic { ior } => Kind::Plastic { ior: ior / surrounding },
+            Kind::Metal(Some(Conductor { n, k })) => {
+                Kind::Metal(Some(Conductor { n: n / surrounding, k: k / surrounding }))
+            }
+            Kind::Matte | Kind::Metal(None) | Kind::Mirror | Kind::Glass(_) => self,
+        }
+    }
 }
 
 impl Material {

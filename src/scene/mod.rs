@@ -6,7 +6,7 @@
 //!
 //! - `angle`: degrees.
 //! - [`camera`]: the ray of a pixel.
-//! - [`cells`]: boxes that may hold a surface, and how far they reach.
+//! - [`cells`]: boxes that may hold a surface; `extreme`: how far they reach.
 //! - [`colour`]: sRGB as linear light; the palette.
 //! - [`fit`]: where the eye stands so that what there is to see fills the picture.
 //! - [`framing`]: the ball around what there is to see.
@@ -21,6 +21,7 @@ pub mod camera;
 pub mod cells;
 pub mod colour;
 pub mod daylight;
+mod extreme;
 pub mod fit;
 pub mod framing;
 pub mod light;
@@ -70,12 +71,12 @@ pub struct Scene {
 impl Scene {
     /// Draws the balls closer around surfaces that glow: light is sought all over them. `classify` says of a surface what is proven of a
     /// box; it need not know the balls.
-    pub fn tighten(&mut self, classify: impl Fn(usize, DVec3, DVec3) -> cells::Cell) {
+    pub fn tighten(&mut self, classify: impl Fn(usize, &[cells::Cube], &mut [cells::Cell])) {
         let glowing = (0..self.materials.len()).filter(|&surface| self.materials[surface].is_glowing());
         for surface in glowing {
             let (center, radius) = self.bounds[surface];
             let whole = [center - DVec3::splat(radius), center + DVec3::splat(radius)];
-            let closer = cells::ball_around(&|min, max| classify(surface, min, max), whole[0], whole[1]);
+            let closer = cells::ball_around(&|cubes, found| classify(surface, cubes, found), whole[0], whole[1]);
             if let Some(ball) = closer.filter(|ball| ball.1 < radius) {
                 self.bounds[surface] = ball;
             }

@@ -3,6 +3,7 @@
 //! In: the function as it was written, and what its equation becomes. Out: whether the inside is where the rewritten function is
 //! negative. Separate because it takes proofs: a surface that is bounded has its inside where the sign differs from that far away.
 
+use super::proofs::Prover;
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
 use crate::expr::equation::{self, Sheet, Sign};
@@ -10,7 +11,6 @@ use crate::expr::graph::{Graph, NodeId};
 use crate::expr::lower::{Inside, Kind, SurfaceFormula};
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
-use crate::scene::cells::Cell;
 use crate::scene::framing;
 use glam::DVec3;
 
@@ -85,8 +85,8 @@ fn sign_of_f(sheets: &[Sheet], far: &[Option<Far>]) -> Far {
 /// The sign that g has everywhere around a bounded surface; `None` if that is not proven.
 fn sign_far_away(graph: &mut Graph, g: NodeId, simd: Simd) -> Option<Far> {
     let g = Formula::new(graph, g, simd);
-    let classify = |min: DVec3, max: DVec3| classify(&g, min, max);
-    let found = framing::find(&classify).ok().filter(|found| found.is_all)?;
+    let prover = Prover::new(&g, &[], &[]);
+    let found = framing::find(&|cubes, cells| prover.classify(cubes, cells)).ok().filter(|found| found.is_all)?;
     let half = found.radius * AROUND;
     let mut sign = None;
     // 4 × 4 × 4 boxes but for the middle 2 × 2 × 2: a closed shell around all there is.
@@ -102,16 +102,6 @@ fn sign_far_away(graph: &mut Graph, g: NodeId, simd: Simd) -> Option<Far> {
         sign = Some(here);
     }
     sign
-}
-
-fn classify(g: &Formula, min: DVec3, max: DVec3) -> Cell {
-    let enclosure = g.enclosure([0, 1, 2].map(|axis| Interval { lo: min[axis], hi: max[axis] }));
-    match enclosure.defined {
-        Defined::Nowhere => Cell::Undefined,
-        _ if enclosure.range.lo > 0.0 => Cell::Positive,
-        _ if enclosure.range.hi < 0.0 => Cell::Negative,
-        Defined::Everywhere | Defined::Somewhere => Cell::Possible,
-    }
 }
 
 /// The one sign of g in a box where it has a value everywhere.

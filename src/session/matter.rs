@@ -152,15 +152,9 @@ fn sky(lowered: &Lowered, materials: &[Material]) -> Option<Sky> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::session::{Plan, Program, Wishes};
+    use crate::session::plan::planned;
     use crate::surface::{Ray, Tracer};
     use std::f64::consts::PI;
-
-    fn planned(text: &str) -> Plan {
-        let mut program = Program::from_text(text);
-        assert!(!program.has_errors(), "{text}: {:?}", program.diagnostics);
-        Plan::new(&mut program, &Wishes::default()).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"))
-    }
 
     fn material(said: &str) -> Material {
         planned(&format!("x^2 + y^2 + z^2 = 1 {{ {said} }}")).scene.materials.remove(0)

@@ -9,6 +9,7 @@ use crate::scene::fit::{self, Reach};
 use crate::scene::{Camera, CameraError, View};
 use crate::surface::{self, Rectangle, Shape, Surface, Tracer};
 use glam::DVec3;
+use std::cell::RefCell;
 
 /// Rows of the rays that look around: enough to compare sides by, too few to take time.
 const ROWS: u32 = 36;
@@ -49,6 +50,8 @@ pub(super) struct Outlook<'a> {
     pub aspect: f64,
     /// Whether the point that is looked at was only found, so that it may move.
     pub may_move_aside: bool,
+    /// What looks, once something has been looked at.
+    pub tracer: RefCell<Option<Tracer<'a>>>,
 }
 
 /// The eye, and what it looks at.
@@ -166,7 +169,8 @@ impl Outlook<'_> {
         let columns = (f64::from(rows) * self.aspect).clamp(4.0, f64::from(rows * 4)) as u32;
         let whole = Rectangle { left: 0, top: 0, width: columns, height: rows };
         let (mut rays, mut hits) = (Vec::new(), Vec::new());
-        let mut tracer = Tracer::new(self.surfaces, surface::Method::Faithful);
+        let mut kept = self.tracer.borrow_mut();
+        let tracer = kept.get_or_insert_with(|| Tracer::new(self.surfaces, surface::Method::Faithful));
         tracer.trace_rectangle(&camera.screen(columns, rows), whole, &mut hits);
         tracer.rays(&mut rays);
         rays.iter().zip(&hits).filter(|(_, hit)| hit.is_drawn()).map(|(ray, hit)| ray.at(hit.t)).collect()

@@ -101,13 +101,8 @@ mod tests {
     use crate::film::Size;
     use crate::render::{Drawing, Mode, Silent};
     use crate::scene::colour::from_bytes;
+    use crate::session::plan::planned;
     use crate::session::{Plan, Program, Wishes};
-
-    fn planned(text: &str) -> Plan {
-        let mut program = Program::from_text(text);
-        assert!(!program.has_errors(), "{text}: {:?}", program.diagnostics);
-        Plan::new(&mut program, &Wishes::default()).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"))
-    }
 
     fn values(texture: &Texture, points: &[DVec3]) -> Vec<DVec3> {
         let mut out = Vec::new();

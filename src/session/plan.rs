@@ -8,7 +8,8 @@ use super::matter;
 use super::outlook::{Outlook, Place};
 use super::paint::Painter;
 use super::program::Program;
-use super::settings::{background_without_use, settings};
+use super::proofs::{Prover, classify_all};
+use super::settings::{settings, without_use};
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
 use crate::expr::curvature;
@@ -16,15 +17,15 @@ use crate::expr::equation::whole;
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::lower::{Clip as WrittenClip, ClipShape, Kind as WrittenKind, Lowered, SurfaceFormula};
 use crate::film::{Size, Tone};
-use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
 use crate::render::filter::Filter;
 use crate::render::{Background, Drawing, Failure, Mode, Passes, Settings, Watch};
-use crate::scene::cells::Cell;
+use crate::scene::cells::{Cell, Cube};
 use crate::scene::framing::{self, MAX_POWER};
 use crate::scene::{Framing, Scene, Sides, View};
 use crate::surface::{self, Clip, Shape, Surface, Tracer};
 use glam::DVec3;
+use std::cell::RefCell;
 
 /// The march's step, as a share of the region's diameter, where none is asked for.
 const MARCH_SHARE: f64 = 1.0 / 256.0;
@@ -131,7 +132,9 @@ impl Plan {
             region = shared_shapes(program);
         }
         if region.is_empty() {
-            let framing = framing::find(&|min, max| classify_all(&objects, min, max)).map_err(nothing_to_see)?;
+            let provers: Vec<Prover> = objects.iter().map(Object::prover).collect();
+            let classify = |cubes: &[Cube], cells: &mut [Cell]| classify_all(&provers, cubes, cells);
+            let framing = framing::find(&classify).map_err(nothing_to_see)?;
             if !objects.iter().all(is_bounded) {
                 found = Some(framing);
                 objects.iter_mut().for_each(|o| o.clip.shapes.push(framing.shape()));
@@ -152,8 +155,8 @@ impl Plan {
         paint(&mut scene, &mut program.lowered, &objects, &smallest(&region), settings.mode, wishes.simd);
         let formulas: Vec<&SurfaceFormula> = objects.iter().map(|object| &object.formula).collect();
         let mut notes = matter::furnish(&mut scene, &mut program.lowered, &formulas, wishes.simd);
-        scene.tighten(|surface, min, max| classify(&objects[surface], min, max));
-        notes.extend(background_without_use(program, wishes, settings.mode));
+        scene.tighten(|surface, cubes, cells| objects[surface].prover().classify(cubes, cells));
+        notes.extend(without_use(program, wishes, settings.mode));
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,
             Method::March(Some(step)) => surface::Method::March { step },
@@ -181,6 +184,11 @@ struct Object {
 }
 
 impl Object {
+    /// What is known of where it can be.
+    fn prover(&self) -> Prover<'_> {
+        Prover::new(&self.f, &self.clip.shapes, &self.fields)
+    }
+
     /// Closes it where its clip cuts it.
     fn close(&mut self, graph: &mut Graph, simd: Simd) {
         cap::close(graph, &mut self.formula, &mut self.clip);
@@ -271,13 +279,15 @@ fn scene(
     settings: &Settings,
 ) -> Result<Scene, Refusal> {
     let block = program.lowered.camera;
+    let provers: Vec<Prover> = objects.iter().map(Object::prover).collect();
     let outlook = Outlook {
         view: wishes.view.or(written_view(program)),
-        classify: &|min, max| classify_all(objects, min, max),
+        classify: &|cubes, cells| classify_all(&provers, cubes, cells),
         surfaces,
         shape: smallest(region),
         aspect: f64::from(settings.size.width()) / f64::from(settings.size.height()),
         may_move_aside: found.is_some(),
+        tracer: RefCell::new(None),
     };
     let Place { camera, look_at, center, radius } = outlook.place().map_err(|error| match block {
         Some(block) if wishes.view == View::default() => {
@@ -329,45 +339,6 @@ fn curvature_of(lowered: &mut Lowered, object: &Object, mode: Mode) -> Option<No
     })
 }
 
-/// What is proven of a box for all surfaces.
-fn classify_all(objects: &[Object], min: DVec3, max: DVec3) -> Cell {
-    let mut all = None;
-    for object in objects {
-        match (classify(object, min, max), all) {
-            (Cell::Possible, _) => return Cell::Possible,
-            (cell, None) => all = Some(cell),
-            (cell, Some(before)) if cell != before => all = Some(Cell::Empty),
-            _ => {}
-        }
-    }
-    all.unwrap_or(Cell::Empty)
-}
-
-fn classify(object: &Object, min: DVec3, max: DVec3) -> Cell {
-    if object.clip.shapes.iter().any(|shape| is_apart(shape, min, max)) {
-        return Cell::Empty;
-    }
-    let cell = [0, 1, 2].map(|axis| Interval { lo: min[axis], hi: max[axis] });
-    if object.fields.iter().any(|field| field.enclosure(cell).range.lo > 0.0) {
-        return Cell::Empty;
-    }
-    let enclosure = object.f.enclosure(cell);
-    match enclosure.defined {
-        Defined::Nowhere => Cell::Undefined,
-        _ if enclosure.range.lo > 0.0 => Cell::Positive,
-        _ if enclosure.range.hi < 0.0 => Cell::Negative,
-        Defined::Everywhere | Defined::Somewhere => Cell::Possible,
-    }
-}
-
-/// Whether a shape and a box have no point in common.
-fn is_apart(shape: &Shape, min: DVec3, max: DVec3) -> bool {
-    match *shape {
-        Shape::Box { min: low, max: high } => low.cmpgt(max).any() || high.cmplt(min).any(),
-        Shape::Ball { center, radius } => center.clamp(min, max).distance(center) > radius,
-    }
-}
-
 fn nothing_to_see(nothing: framing::Nothing) -> Refusal {
     let what = match nothing.0 {
         Cell::Positive => "f > 0 everywhere",
@@ -377,4 +348,12 @@ fn nothing_to_see(nothing: framing::Nothing) -> Refusal {
     };
     let bound = 1u32 << MAX_POWER;
     Refusal::NothingToSee(format!("there is nothing to see: {what} within |x|, |y|, |z| <= {bound}"))
+}
+
+/// The plan of a text, for tests of what it is made of.
+#[cfg(test)]
+pub(super) fn planned(text: &str) -> Plan {
+    let mut program = Program::from_text(text);
+    assert!(!program.has_errors(), "{text}: {:?}", program.diagnostics);
+    Plan::new(&mut program, &Wishes::default()).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"))
 }

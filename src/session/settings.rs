@@ -6,7 +6,7 @@
 use super::matter;
 use super::plan::{Refusal, Wishes};
 use super::program::Program;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Severity};
 use crate::expr::lower;
 use crate::film::{Size, Tone};
 use crate::render::filter::Filter;
@@ -39,6 +39,10 @@ pub(super) fn settings(program: &Program, wishes: &Wishes) -> Result<Settings, R
         (None, Some(word)) => Tone::from_name(&word.name).ok_or_else(|| unknown(word, "tone curve", &Tone::CURVES))?,
         (None, None) => mode.tone(),
     };
+    if wishes.filter.is_some() && !mode.is_transport() {
+        let name = Mode::ALL.into_iter().find(|(_, other)| *other == mode).map_or("this", |(name, _)| name);
+        return Err(Refusal::Wishes(format!("mode {name} makes no use of --filter; {WHERE_FILTERS_COUNT}")));
+    }
     let filter = match (wishes.filter, block.and_then(|render| render.filter.as_ref())) {
         (Some(filter), _) => filter,
         (None, Some(word)) => Filter::from_name(&word.name).ok_or_else(|| unknown(word, "filter", &Filter::ALL))?,
@@ -77,8 +81,40 @@ fn background(written: lower::Background) -> Background {
     }
 }
 
-/// Says so if a background was asked for in a mode that has none to choose.
-pub(super) fn background_without_use(program: &Program, wishes: &Wishes, mode: Mode) -> Option<Diagnostic> {
+/// A background as `render { background: … }` reads it.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn read_background(text: &str) -> Result<Background, String> {
+    let other = || "write a name, #rrggbb, rgb(1, 0.5, 0), transparent or sky".to_owned();
+    // One value: nothing that ends the entry, the block or the statement, and no comment.
+    if text.contains(['{', '}', ';', '"', '\n', '\r']) || text.contains("//") {
+        return Err(other());
+    }
+    let program = Program::from_text(&format!("render {{ background: {} }}", text.trim()));
+    let wrong = program.diagnostics.iter().find(|diagnostic| diagnostic.severity == Severity::Error);
+    match (wrong, program.lowered.render.and_then(|block| block.background)) {
+        (None, Some(written)) => Ok(background(written)),
+        (Some(wrong), _) => Err(format!("{}; {}", wrong.message, wrong.help.clone().unwrap_or_else(other))),
+        (None, None) => Err(other()),
+    }
+}
+
+/// Says what the program asks for in a mode that makes no use of it.
+pub(super) fn without_use(program: &Program, wishes: &Wishes, mode: Mode) -> Vec<Diagnostic> {
+    background_without_use(program, wishes, mode).into_iter().chain(filter_without_use(program, mode)).collect()
+}
+
+fn filter_without_use(program: &Program, mode: Mode) -> Option<Diagnostic> {
+    let block = program.lowered.render.as_ref().filter(|render| render.filter.is_some() && !mode.is_transport())?;
+    Some(Diagnostic::note(block.span, "this mode makes no use of `filter`").help(WHERE_FILTERS_COUNT))
+}
+
+/// Elsewhere only edges have several samples, which lie all in their own pixel.
+const WHERE_FILTERS_COUNT: &str =
+    "`path`, `light` and `bidirectional` do; the others smooth only edges, by samples of the pixel itself";
+
+fn background_without_use(program: &Program, wishes: &Wishes, mode: Mode) -> Option<Diagnostic> {
     let block = program.lowered.render.as_ref();
     let is_asked_for = wishes.background.is_some() || block.is_some_and(|render| render.background.is_some());
     if !is_asked_for || mode.has_background() {

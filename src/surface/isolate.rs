@@ -1,4 +1,5 @@
-//! The faithful method: where no root is, proven for 16 rays at once.
+//! The faithful method by intervals: where no root is, proven for 16 rays at once. For what [`super::contract`] finds hard, and for
+//! [`super::tracer::Method::Intervals`].
 //!
 //! In: rays with the part of each that is still open. Out: brackets on which g is monotone, for
 //! [`super::refine`]; rays proven empty; and rays that need [`super::careful`].
@@ -42,7 +43,7 @@ const ROUNDED_DOWN: f64 = 1.0 - f64::EPSILON;
 const SHY: f64 = 1.0 - 4.0 * f64::EPSILON;
 
 /// A ray may take this many slabs before it is handed to the careful method, which counts its own.
-const MOST_SLABS: u32 = 20_000;
+pub(super) const MOST_SLABS: u32 = 20_000;
 
 /// The part of a ray that is still open.
 #[derive(Clone, Copy, Debug)]
@@ -84,6 +85,36 @@ pub(crate) struct Bracket {
     pub(crate) open: Open,
     /// The slab's end.
     pub(crate) b: f64,
+    /// The proven sign of g at the slab's start, with the other one proven at its end; 0 if they are not both known.
+    pub(crate) front: f64,
+    /// The least |g'| on it, or less.
+    pub(crate) steepness: f64,
+}
+
+impl Bracket {
+    /// Whether a root is in it for certain.
+    pub(crate) fn has_root(&self) -> bool {
+        self.front != 0.0
+    }
+}
+
+/// A ray between two passes, with what is known around its slab.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Walker {
+    pub(crate) open: Open,
+    /// The slab's end.
+    pub(crate) b: f64,
+    /// No root is between that and this, and g is continuous there.
+    pub(crate) clear: f64,
+    /// The proven sign of g at the slab's start, or 0.
+    pub(crate) sign: f64,
+}
+
+impl From<Open> for Walker {
+    fn from(open: Open) -> Self {
+        let b = (open.a + open.step).min(open.end);
+        Walker { open: Open { step: b - open.a, ..open }, b, clear: b, sign: 0.0 }
+    }
 }
 
 /// What became of the rays.
@@ -94,7 +125,7 @@ pub(crate) struct Found {
     /// To be looked at one by one.
     pub(crate) hard: Vec<Open>,
     /// Between the two passes: slabs that are short enough for the slope, or long enough to do without.
-    other: Vec<Open>,
+    pub(super) other: Vec<Walker>,
     /// Proven empty to their ends: ray and slabs taken.
     pub(crate) empty: Vec<(u32, u32)>,
     /// Slabs enclosed.
@@ -104,22 +135,29 @@ pub(crate) struct Found {
 /// The rays of 16 lanes, a number of each in an array.
 #[derive(Clone, Debug)]
 pub(crate) struct Pool {
-    origin: [[f64; CELLS]; 3],
-    direction: [[f64; CELLS]; 3],
-    a: [f64; CELLS],
-    b: [f64; CELLS],
-    end: [f64; CELLS],
-    step: [f64; CELLS],
-    shortest: [f64; CELLS],
-    slabs: [u32; CELLS],
+    pub(super) origin: [[f64; CELLS]; 3],
+    pub(super) direction: [[f64; CELLS]; 3],
+    pub(super) a: [f64; CELLS],
+    pub(super) b: [f64; CELLS],
+    /// See [`Walker`].
+    pub(super) clear: [f64; CELLS],
+    pub(super) sign: [f64; CELLS],
+    pub(super) end: [f64; CELLS],
+    pub(super) step: [f64; CELLS],
+    pub(super) shortest: [f64; CELLS],
+    /// See [`Bracket`].
+    pub(super) front: [f64; CELLS],
+    pub(super) steepness: [f64; CELLS],
+    pub(super) slabs: [u32; CELLS],
     ray: [u32; CELLS],
-    verdict: [Verdict; CELLS],
+    pub(super) verdict: [Verdict; CELLS],
+    pub(super) walkers: Vec<Walker>,
 }
 
 /// What a lane says after a slab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
-enum Verdict {
+pub(super) enum Verdict {
     Idle,
     Open,
     Empty,
@@ -137,12 +175,17 @@ impl Default for Pool {
             direction: [zero; 3],
             a: zero,
             b: zero,
+            clear: zero,
+            sign: zero,
             end: zero,
             step: zero,
             shortest: zero,
+            front: zero,
+            steepness: zero,
             slabs: [0; CELLS],
             ray: [0; CELLS],
             verdict: [Verdict::Idle; CELLS],
+            walkers: Vec::new(),
         }
     }
 }
@@ -159,17 +202,20 @@ impl Pool {
     ) {
         let CellFiles { value, slope } = files;
         let narrow = rays.size * narrow(formula);
-        while !open.is_empty() {
+        (self.front, self.steepness) = ([0.0; CELLS], [0.0; CELLS]);
+        let mut walkers = std::mem::take(&mut self.walkers);
+        walkers.extend(open.drain(..).map(Walker::from));
+        while !walkers.is_empty() {
             if narrow < f64::INFINITY {
-                self.pass(rays, open, found, |pool| {
+                self.pass(rays, &mut walkers, found, |pool| {
                     place(rays.simd, pool.origin.each_ref(), pool.direction.each_ref(), &pool.a, &pool.b, value);
                     formula.value().run(value);
                     decide_by_value(rays.simd, pool, narrow, formula.value().output(value, 0));
                     1
                 });
-                std::mem::swap(open, &mut found.other);
+                std::mem::swap(&mut walkers, &mut found.other);
             }
-            self.pass(rays, open, found, |pool| {
+            self.pass(rays, &mut walkers, found, |pool| {
                 place(rays.simd, pool.origin.each_ref(), pool.direction.each_ref(), &pool.a, &pool.a, value);
                 formula.value().run(value);
                 place(rays.simd, pool.origin.each_ref(), pool.direction.each_ref(), &pool.a, &pool.b, slope);
@@ -178,22 +224,29 @@ impl Pool {
                 decide_by_slope(rays.simd, pool, 2.0 * narrow, formula.value().output(value, 0), g, of_slope);
                 2
             });
-            std::mem::swap(open, &mut found.other);
+            std::mem::swap(&mut walkers, &mut found.other);
         }
+        self.walkers = walkers;
     }
 
     /// Keeps the lanes full with open rays, and lets `look` examine and move them, until none is left.
     /// `look` says how many enclosures of a lane it took.
     #[inline(always)]
-    fn pass(&mut self, rays: &Rays, open: &mut Vec<Open>, found: &mut Found, mut look: impl FnMut(&mut Pool) -> u64) {
+    pub(super) fn pass(
+        &mut self,
+        rays: &Rays,
+        walkers: &mut Vec<Walker>,
+        found: &mut Found,
+        mut look: impl FnMut(&mut Pool) -> u64,
+    ) {
         self.verdict = [Verdict::Idle; CELLS];
         let mut active = 0;
         loop {
             for lane in 0..CELLS {
                 if self.verdict[lane] != Verdict::Open {
                     active -= usize::from(self.retire(lane, found));
-                    if let Some(next) = open.pop() {
-                        self.fill(lane, next, &rays.list.ray(next.ray), rays.size);
+                    if let Some(next) = walkers.pop() {
+                        self.fill(lane, next, &rays.list.ray(next.open.ray), rays.size);
                         active += 1;
                     }
                 }
@@ -205,15 +258,17 @@ impl Pool {
         }
     }
 
-    fn fill(&mut self, lane: usize, open: Open, ray: &Ray, size: f64) {
+    fn fill(&mut self, lane: usize, Walker { open, b, clear, sign }: Walker, ray: &Ray, size: f64) {
         for axis in 0..3 {
             self.origin[axis][lane] = ray.origin[axis];
             self.direction[axis][lane] = ray.direction[axis];
         }
         self.a[lane] = open.a;
-        self.b[lane] = (open.a + open.step).min(open.end);
+        self.b[lane] = b;
+        self.clear[lane] = clear;
+        self.sign[lane] = sign;
         self.end[lane] = open.end;
-        self.step[lane] = self.b[lane] - open.a;
+        self.step[lane] = open.step;
         self.shortest[lane] = SHORTEST * size.max(open.a);
         self.slabs[lane] = open.slabs;
         self.ray[lane] = open.ray;
@@ -232,9 +287,15 @@ impl Pool {
         match std::mem::replace(&mut self.verdict[lane], Verdict::Idle) {
             Verdict::Idle | Verdict::Open => return false,
             Verdict::Empty => found.empty.push((open.ray, open.slabs)),
-            Verdict::Monotone => found.brackets.push(Bracket { open, b: self.b[lane] }),
+            Verdict::Monotone => {
+                let (front, steepness) = (self.front[lane], self.steepness[lane]);
+                found.brackets.push(Bracket { open, b: self.b[lane], front, steepness });
+            }
             Verdict::Hard => found.hard.push(open),
-            Verdict::Other => found.other.push(open),
+            Verdict::Other => {
+                let (b, clear, sign) = (self.b[lane], self.clear[lane], self.sign[lane]);
+                found.other.push(Walker { open, b, clear, sign });
+            }
         }
         true
     }

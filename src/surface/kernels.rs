@@ -4,7 +4,7 @@
 //! arguments, which is lists of their steps, each made when it is first asked for; and the [`Formula`] at hand, which is one of the
 //! two. Separate from the sheet because squares, single rays and the index each have a formula of their own at hand.
 
-use super::sheet::{Balls, Cells, Points};
+use super::sheet::{Balls, Cells, Points, RayForms};
 use super::sum::{Share, Sum};
 use super::tile::{FormFiles, Forms};
 use crate::closure::shorten::{Fork, Shortener, is_private};
@@ -21,6 +21,8 @@ use std::sync::OnceLock;
 pub(crate) struct Kernels {
     value: Kernel<Cells>,
     slope: Kernel<Cells>,
+    value_along: Kernel<RayForms>,
+    slope_along: Kernel<RayForms>,
     value_form: Kernel<Forms>,
     slope_form: Kernel<Forms>,
     point: Kernel<Points>,
@@ -128,6 +130,8 @@ impl Kernels {
         Kernels {
             value: Kernel::with_copies(&tapes[0], &value, simd),
             slope: Kernel::with_copies(&tapes[1], &slope, simd),
+            value_along: Kernel::with_copies(&tapes[0], &value, simd),
+            slope_along: Kernel::with_copies(&tapes[1], &slope, simd),
             value_form: Kernel::with_copies(&tapes[0], &value, simd),
             slope_form: Kernel::with_copies(&tapes[1], &slope, simd),
             point: Kernel::with_copies(&tapes[2], &point, simd),
@@ -202,6 +206,10 @@ impl<'a> Formula<'a> {
         value from value of 1: Cells;
         /// g and g' = a·g_x + b·g_y + c·g_z over pieces of rays.
         slope from slope of 2: Cells;
+        /// g over pieces of rays, as forms of the distance.
+        value_along from value of 1: RayForms;
+        /// g and g' there.
+        slope_along from slope of 2: RayForms;
         /// g over squares of the screen.
         value_form from value of 1: Forms;
         /// g and g' there.
@@ -229,8 +237,11 @@ impl Formula<'_> {
             sum.run(share, with_slope, files, simd);
             return files.sums.each_ref();
         }
-        let (excerpt, file, last) =
-            if with_slope { (self.slope_form(), &mut files.slope, 1) } else { (self.value_form(), &mut files.value, 0) };
+        let (excerpt, file, last) = if with_slope {
+            (self.slope_form(), &mut files.slope, 1)
+        } else {
+            (self.value_form(), &mut files.value, 0)
+        };
         place(file);
         excerpt.run(file);
         let file = &*file;

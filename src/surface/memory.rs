@@ -3,6 +3,7 @@
 //! In: a sheet. Out: registers for its kernels, fit for every part of its formula. Separate from the tracer because nothing
 //! here looks at rays.
 
+use super::contract::RayFiles;
 use super::isolate::CellFiles;
 use super::kernels::Parts;
 use super::sheet::{Balls, Points, Sheet};
@@ -14,6 +15,7 @@ use crate::closure::specialise::Slabs;
 /// Register files of some kernels.
 pub(crate) struct Registers {
     pub(crate) cells: CellFiles,
+    pub(crate) along: RayFiles,
     pub(crate) forms: FormFiles,
     pub(crate) point: Vec<Points>,
     pub(crate) balls: Vec<Balls>,
@@ -35,6 +37,7 @@ impl Memory {
         Memory {
             registers: Registers {
                 cells: CellFiles { value: formula.value().registers(), slope: formula.slope().registers() },
+                along: RayFiles { value: formula.value_along().registers(), slope: formula.slope_along().registers() },
                 forms: FormFiles {
                     value: formula.value_form().registers(),
                     slope: formula.slope_form().registers(),

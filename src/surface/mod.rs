@@ -19,11 +19,13 @@
 //! - [`start`]: where rays start that leave a surface.
 //! - [`march`]: the textbook method: steps, a change of sign, Newton.
 //! - [`isolate`]: the faithful method: intervals that prove where no root is, batches of rays at once.
+//! - [`contract`]: the same by forms, which know where along the ray a root can be.
 //! - [`refine`]: Newton's method inside a bracket, and the certificate of its result.
 //! - [`careful`]: one hard ray at a time: roots without sign change, poles, jumps, edges of the domain.
 
 mod bundle;
 mod careful;
+mod contract;
 pub mod hit;
 mod index;
 mod isolate;

@@ -106,16 +106,28 @@ impl Batch {
         brackets: &[Bracket],
         out: &mut Vec<Refined>,
     ) -> Work {
-        let n = brackets.len().min(POINTS);
+        let brackets = &brackets[..brackets.len().min(POINTS)];
         let mut work = Work::default();
-        self.load(&brackets[..n], rays.list);
-        self.ends(rays.simd, formula, files);
-        work.points += 2 * n as u64;
-        work.gradients += self.newton(formula, files, rays, &brackets[..n]);
-        for first in (0..n).step_by(CELLS) {
-            let last = (first + CELLS).min(n);
-            self.certify(formula, files, rays, first, &brackets[first..last], out);
-            work.cells += 2 * (last - first) as u64;
+        self.load(brackets, rays.list);
+        if !brackets.iter().all(Bracket::has_root) {
+            self.ends(rays.simd, formula, files);
+            work.points += 2 * brackets.len() as u64;
+        }
+        self.known_ends(brackets);
+        work.gradients += self.newton(formula, files, rays, brackets);
+        let mut left = Vec::with_capacity(POINTS);
+        let all: [usize; POINTS] = std::array::from_fn(|i| i);
+        for lanes in all[..brackets.len()].chunks(CELLS) {
+            if lanes.iter().any(|&i| brackets[i].has_root()) {
+                self.certify_by_slope(formula, files, rays, lanes, brackets, (out, &mut left));
+                work.cells += lanes.len() as u64;
+            } else {
+                left.extend_from_slice(lanes);
+            }
+        }
+        for lanes in left.chunks(CELLS) {
+            self.certify(formula, files, rays, lanes, brackets, out);
+            work.cells += 2 * lanes.len() as u64;
         }
         work
     }
@@ -147,6 +159,14 @@ impl Batch {
         }
     }
 
+    /// The signs at both ends where they are known; the middle is where the bracket's form says that the root is.
+    fn known_ends(&mut self, brackets: &[Bracket]) {
+        for (i, bracket) in brackets.iter().enumerate().filter(|(_, bracket)| bracket.has_root()) {
+            (self.front[i], self.behind[i]) = (bracket.front, -bracket.front);
+            self.t[i] = 0.5 * (bracket.open.a + bracket.b);
+        }
+    }
+
     /// Whether the values at the ends say that there is a root. They are not proven; the certificate is.
     fn crosses(&self, i: usize) -> bool {
         (self.front[i] < 0.0) != (self.behind[i] < 0.0)
@@ -171,27 +191,69 @@ impl Batch {
         evaluations
     }
 
+    /// Proves what Newton found where a root is known to be, for at most [`CELLS`] brackets: g at the result over the least slope is how far
+    /// the root can be. Leaves those for which that is not near enough.
+    fn certify_by_slope(
+        &self,
+        formula: Formula,
+        files: &mut Files,
+        rays: &Rays,
+        lanes: &[usize],
+        brackets: &[Bracket],
+        (out, left): (&mut Vec<Refined>, &mut Vec<usize>),
+    ) {
+        let (origin, direction) = self.rays_of(lanes);
+        let mut at = [0.0; CELLS];
+        for (k, &i) in lanes.iter().enumerate() {
+            at[k] = self.t[i];
+        }
+        place(rays.simd, origin.each_ref(), direction.each_ref(), &at, &at, files.cells);
+        formula.value().run(files.cells);
+        let g = formula.value().output(files.cells, 0);
+        for (k, &i) in lanes.iter().enumerate() {
+            let width = WIDTH * rays.size.max(self.t[i]);
+            let most = g.hi[k].max(-g.lo[k]);
+            let is_near = most <= brackets[i].steepness * width * (1.0 - 4.0 * f64::EPSILON);
+            if brackets[i].has_root() && is_near {
+                out.push(self.root(i, brackets[i], width));
+            } else {
+                left.push(i);
+            }
+        }
+    }
+
+    fn root(&self, i: usize, bracket: Bracket, width: f64) -> Refined {
+        let gradient = DVec3::new(self.gradient[0][i], self.gradient[1][i], self.gradient[2][i]);
+        Refined::Root { bracket, t: self.t[i], width, gradient }
+    }
+
+    /// The rays of some brackets.
+    fn rays_of(&self, lanes: &[usize]) -> ([[f64; CELLS]; 3], [[f64; CELLS]; 3]) {
+        let (mut origin, mut direction) = ([[0.0; CELLS]; 3], [[0.0; CELLS]; 3]);
+        for (k, &i) in lanes.iter().enumerate() {
+            for axis in 0..3 {
+                origin[axis][k] = self.origin[axis][i];
+                direction[axis][k] = self.direction[axis][i];
+            }
+        }
+        (origin, direction)
+    }
+
     /// Proves what Newton found, for at most [`CELLS`] brackets.
     fn certify(
         &self,
         formula: Formula,
         files: &mut Files,
         rays: &Rays,
-        first: usize,
+        lanes: &[usize],
         brackets: &[Bracket],
         out: &mut Vec<Refined>,
     ) {
         let (simd, size) = (rays.simd, rays.size);
-        let mut origin = [[0.0; CELLS]; 3];
-        let mut direction = [[0.0; CELLS]; 3];
+        let (origin, direction) = self.rays_of(lanes);
         let (mut front, mut behind) = ([0.0; CELLS], [0.0; CELLS]);
-        for (k, bracket) in brackets.iter().enumerate() {
-            let i = first + k;
-            for axis in 0..3 {
-                origin[axis][k] = self.origin[axis][i];
-                direction[axis][k] = self.direction[axis][i];
-            }
-            let width = WIDTH * size.max(self.t[i]);
+        for (k, &i) in lanes.iter().enumerate() {
+            let (bracket, width) = (&brackets[i], WIDTH * size.max(self.t[i]));
             (front[k], behind[k]) = if self.crosses(i) {
                 ((self.t[i] - width).max(bracket.open.a), (self.t[i] + width).min(bracket.b))
             } else {
@@ -200,17 +262,11 @@ impl Batch {
         }
         let in_front = signs_at(simd, formula, files.cells, &origin, &direction, &front);
         let after = signs_at(simd, formula, files.cells, &origin, &direction, &behind);
-        for (k, &bracket) in brackets.iter().enumerate() {
-            let (i, product) = (first + k, in_front[k] * after[k]);
-            out.push(match (self.crosses(i), product) {
-                (true, -1) => Refined::Root {
-                    bracket,
-                    t: self.t[i],
-                    width: WIDTH * size.max(self.t[i]),
-                    gradient: DVec3::new(self.gradient[0][i], self.gradient[1][i], self.gradient[2][i]),
-                },
-                (false, 1) => Refined::Nothing(bracket),
-                _ => Refined::Unclear(bracket),
+        for (k, &i) in lanes.iter().enumerate() {
+            out.push(match (self.crosses(i), in_front[k] * after[k]) {
+                (true, -1) => self.root(i, brackets[i], WIDTH * size.max(self.t[i])),
+                (false, 1) => Refined::Nothing(brackets[i]),
+                _ => Refined::Unclear(brackets[i]),
             });
         }
     }

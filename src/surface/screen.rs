@@ -43,6 +43,12 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
+    /// Whether the two have a pixel in common.
+    pub(crate) fn meets(self, other: Rectangle) -> bool {
+        let meet = |a: u32, width: u32, b: u32, other: u32| a < b + other && b < a + width;
+        meet(self.left, self.width, other.left, other.width) && meet(self.top, self.height, other.top, other.height)
+    }
+
     /// Squares of this side that it consists of, those at its ends smaller, counted from its corner.
     pub(crate) fn parts(self, side: u32) -> impl Iterator<Item = Rectangle> {
         let starts = move |length: u32| (0..length).step_by(side as usize);

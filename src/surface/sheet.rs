@@ -12,6 +12,7 @@ use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::{along_ray, gradient};
 use crate::expr::equation::{self, Sign};
 use crate::expr::graph::{Graph, NodeId};
+use crate::num::affine_lanes::AffineLanes;
 use crate::num::ball_lanes::BallLanes;
 use crate::num::interval_lanes::IntervalLanes;
 use crate::num::lanes::Lanes;
@@ -25,6 +26,9 @@ pub const POINTS: usize = 64;
 
 /// Enclosures over [`CELLS`] pieces of rays.
 pub type Cells = IntervalLanes<CELLS>;
+
+/// Enclosures over as many that know how g leans along the ray.
+pub type RayForms = AffineLanes<CELLS, 1>;
 
 /// Values at [`POINTS`] points.
 pub type Points = Lanes<POINTS>;

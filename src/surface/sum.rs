@@ -5,7 +5,7 @@
 //! take all terms. Separate from minima, of which the arguments that do not matter leave nothing behind.
 
 use super::tile::{FORMS, FormFiles, Forms};
-use crate::closure::shorten::Shortener;
+use crate::closure::shorten::{Shortener, numbers};
 use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::along_ray;
 use crate::expr::graph::{Graph, NodeId};
@@ -16,7 +16,7 @@ use crate::num::level::{Simd, for_each_level};
 use crate::num::number::Number;
 
 /// Sums of fewer terms are not worth it.
-const FEWEST: usize = 16;
+const FEWEST: usize = 48;
 
 /// What is left out may change by so much of the largest term: so little that squares of a few pixels still see how the rest leans.
 const LEFT_OUT: f64 = 0.01;
@@ -27,7 +27,8 @@ pub(crate) struct Sum {
     pub(crate) count: usize,
     /// All terms, and behind them their slopes.
     kernel: Kernel<Forms>,
-    shortener: Shortener,
+    /// The steps of each term, and of each with its slope.
+    own: Vec<[Box<[u32]>; 2]>,
 }
 
 /// The part of a sum that matters somewhere.
@@ -67,7 +68,10 @@ impl Sum {
         let slopes = along_ray(graph, &terms);
         let count = terms.len();
         let tape = Tape::new(graph, &[terms, slopes].concat());
-        Some(Sum { count, kernel: Kernel::new(&tape, simd), shortener: Shortener::new(&tape, &[]) })
+        let shortener = Shortener::new(&tape, &[]);
+        let steps = |roots: &[usize]| shortener.shorten(roots.iter().copied(), &[]).into_boxed_slice();
+        let own = (0..count).map(|k| [steps(&[k]), steps(&[k, count + k])]).collect();
+        Some(Sum { count, kernel: Kernel::new(&tape, simd), own })
     }
 
     /// Registers for all terms.
@@ -82,12 +86,14 @@ impl Sum {
     }
 
     fn share(&self, live: &[u32], rest: [[f64; 2]; 2]) -> Share {
-        let of = |slopes: bool| {
-            let values = live.iter().map(|&k| k as usize);
-            let slopes = live.iter().filter(move |_| slopes).map(|&k| self.count + k as usize);
-            self.shortener.shorten(values.chain(slopes), &[]).into_boxed_slice()
-        };
-        Share { live: live.into(), steps: [of(false), of(true)], rest }
+        let steps = [0, 1].map(|which| {
+            let mut needed = vec![0u64; self.kernel.len().div_ceil(64)];
+            for &step in live.iter().flat_map(|&k| &self.own[k as usize][which]) {
+                needed[step as usize / 64] |= 1 << (step % 64);
+            }
+            numbers(&needed).into()
+        });
+        Share { live: live.into(), steps, rest }
     }
 
     /// The value (0) or the slope (1) of a share, where the registers of the coordinates are filled.
@@ -108,14 +114,14 @@ impl Sum {
     }
 
     /// Weighs the terms of a share over slabs, where the registers of the coordinates are filled.
-    pub(crate) fn weigh(&self, share: &Share, files: &mut FormFiles, simd: Simd, weighed: &mut Weighed) {
+    pub(crate) fn weigh(&self, share: &Share, files: &mut FormFiles, simd: Simd) -> Weighed {
+        let mut weighed = Weighed::default();
         self.run(share, true, files, simd);
         let sum = &files.sums[0];
         for lane in 0..FORMS {
             let radius = sum.radius(lane) * (1.0 + 1e-12);
             weighed.is_empty[lane] = sum.center[lane].abs() > radius || sum.flags[lane] & NOWHERE != 0;
         }
-        weighed.terms.clear();
         weighed.terms.extend(share.live.iter().map(|&k| {
             let forms = [0, self.count].map(|first| self.kernel.output(&files.terms, first + k as usize));
             let flags = |lane: usize| (forms[0].flags[lane] | forms[1].flags[lane]) & (PARTIAL | JUMP | NOWHERE);
@@ -125,6 +131,7 @@ impl Sum {
                 radius: forms.map(|form| std::array::from_fn(|lane| form.bounds(lane).1 - form.center[lane])),
             }
         }));
+        weighed
     }
 
     /// The part of a share that matters in one of the slabs, which is so long. Measured by the largest that a term is everywhere in it: the radii of
@@ -132,17 +139,14 @@ impl Sum {
     pub(crate) fn part(&self, share: &Share, weighed: &Weighed, lane: usize, length: f64) -> Share {
         let least = |w: &Weight| w.center[0][lane].abs() - w.radius[0][lane];
         let scale = weighed.terms.iter().map(least).fold(0.0, f64::max);
-        let weight = |k: usize| {
-            let w = &weighed.terms[k];
-            w.radius[0][lane].max(0.5 * length * w.radius[1][lane]) / scale
-        };
-        let mut order: Vec<usize> = (0..weighed.terms.len()).filter(|&k| weighed.terms[k].is_smooth[lane]).collect();
-        order.sort_by(|&a, &b| weight(a).total_cmp(&weight(b)));
+        let weight = |w: &Weight| w.radius[0][lane].max(0.5 * length * w.radius[1][lane]) / scale;
+        let smooth = weighed.terms.iter().enumerate().filter(|(_, w)| w.is_smooth[lane]);
+        let mut light: Vec<(f64, usize)> = smooth.map(|(k, w)| (weight(w), k)).filter(|w| w.0 <= LEFT_OUT).collect();
+        light.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
         let (mut live, mut rest, mut left_out) = (share.live.to_vec(), share.rest, 0.0);
-        for k in order {
-            left_out += weight(k);
-            // Written so that NaN stays.
-            if !(left_out <= LEFT_OUT) {
+        for (weight, k) in light {
+            left_out += weight;
+            if left_out > LEFT_OUT {
                 break;
             }
             for (which, [middle, half]) in rest.iter_mut().enumerate() {

@@ -17,7 +17,6 @@ use super::screen::{Rectangle, Screen};
 use super::sheet::{POINTS, Surface};
 use super::start::{self, Side};
 use super::stream::Stream;
-use super::sum::Weighed;
 use super::tile::{Settled, Walk};
 use crate::num::level::Simd;
 use glam::DVec3;
@@ -27,6 +26,8 @@ use glam::DVec3;
 pub enum Method {
     /// By proof: no root is missed.
     Faithful,
+    /// The same by natural intervals, each ray by itself: the plain way, which [`Method::Faithful`] is held against.
+    Intervals,
     /// By samples at multiples of a step: what changes sign between two of them is found.
     March {
         /// The distance between samples, > 0.
@@ -67,7 +68,6 @@ struct Tiles {
     settled: Settled,
     stream: Stream,
     spans: Spans,
-    weighed: Weighed,
 }
 
 /// The rays at hand as a rectangle of a picture.
@@ -214,7 +214,9 @@ impl<'a> Tracer<'a> {
         let surface = &self.surfaces[index];
         self.open.clear();
         match view {
-            Some(view) if surface.sheets[k].is_free() => self.squares(surface, index, k, skipped, view, job),
+            Some(view) if surface.sheets[k].is_free() && self.method == Method::Faithful => {
+                self.squares(surface, index, k, skipped, view, job)
+            }
             _ => self.open_rays(surface, skipped, job),
         }
         self.singles(surface, index, k, job);

@@ -237,10 +237,19 @@ fn find_vectors(outlines: &[Outline<'_>], names: &mut Names) {
 
 /// Leaves definitions such as `ax = 1`, used nowhere, that split into a coordinate and known letters, to be surfaces.
 fn unsplit(outlines: &mut [Outline<'_>], names: &mut Names) {
-    let used: BTreeSet<String> = outlines
+    if outlines.iter().all(|o| o.head.kind != HeadKind::Definition) {
+        return;
+    }
+    // Words are put in one by one: there are many, and few different ones.
+    let mut used: BTreeSet<String> = BTreeSet::new();
+    for word in outlines
         .iter()
-        .flat_map(|o| o.words[o.head.length.min(o.words.len())..].iter().map(|word| canonical(word, o.text).to_owned()))
-        .collect();
+        .flat_map(|o| o.words[o.head.length.min(o.words.len())..].iter().map(|word| canonical(word, o.text)))
+    {
+        if !used.contains(word) {
+            used.insert(word.to_owned());
+        }
+    }
     for outline in outlines.iter_mut().filter(|o| o.head.kind == HeadKind::Definition) {
         let name = canonical(&outline.head.name, outline.text);
         let splits = name.len() > 1 && name.is_ascii() && (0..name.len()).all(|i| names.splits(&name[i..=i]));

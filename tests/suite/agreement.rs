@@ -1,11 +1,13 @@
-//! Squares of pixels and single rays are two ways to the same proofs: they must not contradict each other.
+//! Squares of pixels, single rays by forms and single rays by intervals are three ways to the same proofs: they must not
+//! contradict each other.
 //!
 //! In: the scenes of `tests/data/scenes.toml` and other formulas, seen from random places. Out: nothing but failures.
 //! Separate from the known depths because here only the agreement is known, of many more pictures.
 
 use super::truth_case::{Case, Way};
 use glam::DVec3;
-use implicit::surface::{Hit, Method, Shape};
+use implicit::scene::camera::{Camera, Projection};
+use implicit::surface::{Hit, Method, Ray, Shape, Side, Tracer};
 use std::path::PathBuf;
 
 /// Formulas that the scenes lack: jumps, poles, edges of the domain, roots without change of sign, long minima.
@@ -60,15 +62,23 @@ fn case(formula: &str, shape: Shape, random: &mut Random) -> Case {
     }
 }
 
-/// How many pixels both ways prove; they must prove the same.
+/// How many pixels all ways prove; they must prove the same.
 fn agreed(case: &Case) -> usize {
-    let [rays, squares] = [Way::Rays, Way::Squares].map(|way| case.trace(Method::Faithful, way).unwrap());
-    let mut count = 0;
-    for (k, (a, b)) in rays.iter().zip(&squares).enumerate().filter(|(_, (a, b))| a.proven && b.proven) {
-        assert!(same(a, b, case.size()), "{} from {}, pixel {k}: {a:?}\n{b:?}", case.name, case.eye);
-        count += 1;
+    let ways = [(Method::Intervals, Way::Rays), (Method::Faithful, Way::Rays), (Method::Faithful, Way::Squares)];
+    let [intervals, forms, squares] = ways.map(|(method, way)| case.trace(method, way).unwrap());
+    for (k, (a, b)) in forms.iter().zip(&squares).enumerate() {
+        assert!(agree(a, b, case.size()), "{} from {}, pixel {k}: {a:?}\n{b:?}", case.name, case.eye);
     }
-    count
+    for (k, (a, b)) in intervals.iter().zip(&forms).enumerate() {
+        assert!(agree(a, b, case.size()), "{} from {}, pixel {k}: {a:?}\n{b:?}", case.name, case.eye);
+    }
+    let proven = |k: &usize| [&intervals, &forms, &squares].iter().all(|hits| hits[*k].proven);
+    (0..forms.len()).filter(proven).count()
+}
+
+/// Whether two answers can both be true.
+fn agree(a: &Hit, b: &Hit, size: f64) -> bool {
+    !(a.proven && b.proven) || same(a, b, size)
 }
 
 fn same(a: &Hit, b: &Hit, size: f64) -> bool {
@@ -76,10 +86,9 @@ fn same(a: &Hit, b: &Hit, size: f64) -> bool {
     a.outcome == b.outcome && (a.t == b.t || near)
 }
 
-#[test]
-fn squares_and_single_rays_prove_the_same_from_anywhere() {
+/// All scenes and formulas, seen from random places.
+fn all_cases(random: &mut Random) -> Vec<Case> {
     let table: toml::Table = include_str!("../data/scenes.toml").parse().unwrap();
-    let mut random = Random(2026);
     let mut cases = Vec::new();
     for scene in table["scene"].as_array().unwrap() {
         let clip = &scene["clip"];
@@ -91,14 +100,52 @@ fn squares_and_single_rays_prove_the_same_from_anywhere() {
             }
         };
         let formula = scene["formula"].as_str().unwrap();
-        cases.extend((0..2).map(|_| case(formula, shape, &mut random)));
+        cases.extend((0..2).map(|_| case(formula, shape, random)));
     }
     let ball = Shape::Ball { center: DVec3::new(0.1, 0.0, -0.1), radius: 2.5 };
     let cube = Shape::Box { min: DVec3::new(-1.5, -1.7, -2.0), max: DVec3::new(1.9, 1.5, 1.4) };
     for formula in FORMULAS {
-        cases.extend([ball, cube].map(|shape| case(formula, shape, &mut random)));
+        cases.extend([ball, cube].map(|shape| case(formula, shape, random)));
     }
+    cases
+}
+
+#[test]
+fn squares_and_single_rays_prove_the_same_from_anywhere() {
+    let cases = all_cases(&mut Random(2026));
     let all: usize = cases.iter().map(|case| (case.width * case.height) as usize).sum();
     let proven: usize = cases.iter().map(agreed).sum();
-    assert!(proven * 100 > all * 98, "only {proven} of {all} pixels are proven in both ways");
+    assert!(proven * 100 > all * 98, "only {proven} of {all} pixels are proven in all ways");
+}
+
+#[test]
+fn rays_that_leave_surfaces_prove_the_same_by_forms_and_by_intervals() {
+    let mut random = Random(27);
+    let (mut all, mut proven) = (0, 0);
+    for case in all_cases(&mut random) {
+        let surfaces = case.surfaces().unwrap();
+        let [mut forms, mut intervals] =
+            [Method::Faithful, Method::Intervals].map(|method| Tracer::new(&surfaces, method));
+        let camera = Camera::new(case.eye, case.look_at, Projection::Perspective { fov: case.fov }).unwrap();
+        let pixels = (0..case.width * case.height).map(|k| (f64::from(k % case.width), f64::from(k / case.width)));
+        let rays: Vec<Ray> = pixels.map(|(i, j)| camera.ray(case.width, case.height, i + 0.5, j + 0.5)).collect();
+        let mut hits = Vec::new();
+        forms.trace(&rays, &mut hits);
+        let drawn = rays.iter().zip(&hits).filter(|(_, hit)| hit.is_drawn());
+        let departures: Vec<(Ray, Hit, Side)> =
+            drawn.enumerate().map(|(k, (ray, hit))| (*ray, *hit, [Side::Near, Side::Far][k % 2])).collect();
+        let mut points = Vec::new();
+        forms.starts(&departures, &mut points);
+        let mut direction = || DVec3::from_array(std::array::from_fn(|_| random.unit() - 0.5)).normalize_or(DVec3::X);
+        let rays: Vec<Ray> = points.iter().map(|point| Ray::new(*point, direction())).collect();
+        let [mut by_forms, mut by_intervals] = [Vec::new(), Vec::new()];
+        forms.trace_from_surface(&rays, &mut by_forms);
+        intervals.trace_from_surface(&rays, &mut by_intervals);
+        for ((a, b), ray) in by_forms.iter().zip(&by_intervals).zip(&rays) {
+            assert!(agree(a, b, case.size()), "{} along {ray:?}: {a:?}\n{b:?}", case.name);
+            all += 1;
+            proven += usize::from(a.proven && b.proven);
+        }
+    }
+    assert!(proven * 100 > all * 97 && all > 20_000, "only {proven} of {all} rays are proven in both ways");
 }

@@ -2,6 +2,11 @@
 //!
 //! In: programs. Out: means over pictures of linear light against numbers from outside of the renderer.
 
+mod agreement;
+mod bytes;
+mod trails;
+mod whitted;
+
 use glam::DVec3;
 use implicit::film::Size;
 use implicit::render::{Mode, Silent};
@@ -9,7 +14,6 @@ use implicit::session::{Plan, Program, Wishes};
 
 /// A picture in linear light.
 struct Picture {
-    width: u32,
     pixels: Vec<DVec3>,
 }
 
@@ -44,23 +48,18 @@ fn draw(text: &str, way: Way) -> Picture {
     let plan = Plan::new(&mut program, &wishes).unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
     let drawing = plan.draw(&Silent).unwrap();
     let linear = |pixel: &[f32; 3]| DVec3::from_array(pixel.map(f64::from));
-    Picture { width: way.size.0, pixels: drawing.picture.values.iter().map(linear).collect() }
+    Picture { pixels: drawing.picture.values.iter().map(linear).collect() }
+}
+
+/// The light along one ray: through the only pixel of a picture, from an eye to a point that is looked at.
+fn ray(text: &str, mode: Mode, (eye, at): (&str, &str), bounces: u32) -> DVec3 {
+    let text = format!("{text}; camera {{ eye: {eye}, look_at: {at} }}");
+    draw(&text, Way { mode, size: (1, 1), samples: 1, bounces, seed: 0 }).mean()
 }
 
 impl Picture {
     fn mean(&self) -> DVec3 {
         self.pixels.iter().sum::<DVec3>() / self.pixels.len() as f64
-    }
-
-    /// The means of squares of this side.
-    fn blocks(&self, side: u32) -> Vec<DVec3> {
-        let height = self.pixels.len() as u32 / self.width;
-        let mut blocks = Vec::new();
-        for (top, left) in (0..height / side).flat_map(|j| (0..self.width / side).map(move |i| (j * side, i * side))) {
-            let of = |k: u32| self.pixels[((top + k / side) * self.width + left + k % side) as usize];
-            blocks.push((0..side * side).map(of).sum::<DVec3>() / f64::from(side * side));
-        }
-        blocks
     }
 }
 
@@ -72,28 +71,41 @@ fn furnace(material: &str, way: Way) -> DVec3 {
     draw(&text, way).mean()
 }
 
+/// Light is lost at the last of 64 bounces, and by chance in the last paths: less than this share.
+const LOST: f64 = 1e-3;
+
+fn vanishes(material: &str, samples: u32, bound: f64) {
+    let mean = furnace(material, Way { bounces: 64, samples, ..WAY });
+    assert!((mean - 1.0).abs().max_element() < bound + LOST, "{material}: {mean}");
+}
+
 #[test]
 fn white_balls_vanish_in_a_furnace() {
-    // Material, how far from 1 the mean may be: noise, and for lobes of rough facets the 1 % that their tables keep.
-    let mut rows: Vec<(String, f64)> = vec![
-        ("color: rgb(1,1,1)".into(), 5e-3),
-        ("kind: mirror, color: rgb(1,1,1)".into(), 1e-6),
-        ("kind: glass, ior: 1.5".into(), 1e-6),
-        ("kind: glass, ior: 1".into(), 1e-6),
-        ("kind: plastic, color: rgb(1,1,1)".into(), 0.01),
-    ];
+    // How far from 1 a mean may be: noise, and for lobes of rough facets the 1 % that their tables keep.
+    vanishes("color: rgb(1,1,1)", 32, 5e-3);
+    vanishes("kind: mirror, color: rgb(1,1,1)", 32, 1e-6);
+    vanishes("kind: glass, ior: 1.5", 32, 1e-6);
+    vanishes("kind: glass, ior: 1", 32, 1e-6);
+    vanishes("kind: plastic, color: rgb(1,1,1)", 32, 0.01);
     for roughness in ["0.1", "0.3", "0.6", "1"] {
-        rows.push((format!("kind: metal, color: rgb(1,1,1), roughness: {roughness}"), 0.01));
-        rows.push((format!("kind: plastic, color: rgb(1,1,1), roughness: {roughness}"), 0.01));
-        rows.push((format!("kind: glass, ior: 1.5, roughness: {roughness}"), 0.01));
+        vanishes(&format!("kind: metal, color: rgb(1,1,1), roughness: {roughness}"), 32, 0.01);
+        vanishes(&format!("kind: plastic, color: rgb(1,1,1), roughness: {roughness}"), 32, 0.01);
     }
-    for (material, bound) in rows {
-        // What passes rough facets at grazing angles comes in few, heavy samples.
-        let samples = if material.contains("glass, ior: 1.5, rough") { 512 } else { 32 };
-        let mean = furnace(&material, Way { bounces: 64, samples, ..WAY });
-        // Light is lost at the last bounce, and by chance in the last paths: less than a thousandth.
-        let bound = bound + 1e-3;
-        assert!((mean - 1.0).abs().max_element() < bound, "{material}: {mean}");
+}
+
+#[test]
+fn white_balls_of_rough_glass_vanish_in_a_furnace() {
+    // What passes rough facets at grazing angles comes in few, heavy samples; with so many of them a mean deviates by 0.15 % or less.
+    for (ior, roughness, samples) in [
+        ("1.5", "0.1", 256),
+        ("1.5", "0.3", 256),
+        ("1.5", "0.6", 2048),
+        ("1.5", "1", 2048),
+        ("1.33", "0.45", 512),
+        ("2.42", "0.45", 512),
+        ("1.05", "0.45", 256),
+    ] {
+        vanishes(&format!("kind: glass, ior: {ior}, roughness: {roughness}"), samples, 0.004);
     }
 }
 
@@ -191,54 +203,6 @@ fn what_glass_reflects_and_lets_through_is_fresnel_s_and_beer_s() {
 }
 
 #[test]
-fn all_ways_of_following_light_find_the_same() {
-    let rest = "render { clip: box(-3..3,-3..3,-2..2) }; camera { eye: (5,-5,3), look_at: (0,0,0) }";
-    let lamp = "light { at: (2,-2,3), power: 100, radius: 0.5 }";
-    // The scene; whether `light` sees all of it, which mirrors prevent.
-    let rows = [
-        (format!("x^2+y^2+z^2=1 {{ color: rgb(0.8,0.5,0.3) }}; z=-1; {lamp}"), true),
-        (
-            "x^2+y^2+z^2=1; z=-1; sky { top: rgb(1,1,2), horizon: rgb(0.5,0.4,0.3), ground: rgb(0.1,0.1,0.1) }".into(),
-            true,
-        ),
-        ("x^2+y^2+z^2=1; z=-1; sun { from: (1,-1,2), irradiance: 3, angle: 10 }".into(), true),
-        ("x^2+y^2+z^2=0.5; z=-1; (sqrt(x^2+y^2)-1.2)^2+z^2=0.02 { emission: 3 }".into(), true),
-        (format!("x^2+y^2+z^2=1 {{ kind: glass, ior: 1.5 }}; z=-1.01; {lamp}"), false),
-        (format!("x^2+y^2+z^2=1 {{ metal: \"gold\", roughness: 0.5 }}; z=-1.01; {lamp}"), true),
-        (format!("x^2+y^2+z^2=1 {{ kind: glass, roughness: 0.5 }}; z=-1.01; {lamp}"), true),
-        (
-            format!(
-                "x^2+y^2+z^2=1 {{ opacity: 0.5 }}; z=-1.01; x^2+y^2+z^2=0.2 {{ emission: 4, opacity: 0.7 }}; {lamp}"
-            ),
-            true,
-        ),
-    ];
-    for (scene, is_open) in rows {
-        let text = format!("{scene}; {rest}");
-        let way = Way { size: (32, 24), samples: 128, bounces: 5, ..WAY };
-        let pictures: Vec<[Picture; 2]> =
-            TRANSPORT.iter().map(|&mode| [1, 2].map(|seed| draw(&text, Way { mode, seed, ..way }))).collect();
-        for other in if is_open { vec![0, 1] } else { vec![0] } {
-            agree(&scene, &pictures[other], &pictures[2]);
-        }
-    }
-}
-
-/// Two ways agree where the difference of their blocks is what the differences between their own two seeds say: a χ² of the blocks.
-fn agree(scene: &str, a: &[Picture; 2], b: &[Picture; 2]) {
-    let [a1, a2, b1, b2] = [&a[0], &a[1], &b[0], &b[1]].map(|picture| picture.blocks(8));
-    let variance = |x: &[DVec3], y: &[DVec3]| {
-        x.iter().zip(y).map(|(x, y)| (*x - *y).length_squared()).sum::<f64>() / 4.0 / x.len() as f64
-    };
-    let noise = variance(&a1, &a2) + variance(&b1, &b2);
-    let difference = |k: usize| ((a1[k] + a2[k] - b1[k] - b2[k]) * 0.5).length_squared();
-    let all = (0..a1.len()).map(difference).sum::<f64>() / a1.len() as f64;
-    let mean = b1.iter().map(|light| light.length_squared()).sum::<f64>() / b1.len() as f64;
-    // Twelve blocks of three channels: a factor of 4 in variance is far out, and a thousandth of the light is not looked at.
-    assert!(all < 4.0 * noise + 1e-6 * mean, "{scene}: {all} against {noise}");
-}
-
-#[test]
 fn a_caustic_is_found_by_light_from_its_source() {
     // A point light behind glass: paths from the camera never find it, those from the light do.
     let text = "x^2+y^2+z^2=0.5 { kind: glass }; z=-1; light { at: (0,0,2), power: 50 }; \
@@ -273,26 +237,4 @@ fn no_interface_is_lost_in_shells() {
     let seen = |bounces| draw(&text, Way { bounces, samples: 4, size: (32, 32), ..WAY }).mean().x;
     assert_eq!(seen(8), 1.0);
     assert_eq!(seen(7), 0.0);
-}
-
-#[test]
-fn the_same_light_for_any_number_of_threads_and_in_any_passes() {
-    let text = "x^2+y^2+z^2=1 { kind: glass }; z=-1 { color: checker(0.5, white, navy) }; light { at: (1,-2,3), power: 50, radius: 0.3 }; \
-                render { clip: box(-2..2,-2..2,-2..2) }";
-    let modes = [Mode::Path, Mode::Light, Mode::Bidirectional, Mode::Whitted, Mode::Angle, Mode::End, Mode::Bounces];
-    for mode in modes {
-        let draw = |threads, simd, passes| {
-            let mut program = Program::from_text(text);
-            let size = Some(Size::new(100, 70).unwrap());
-            let (samples, bounces, mode) = (Some(4), Some(4), Some(mode));
-            let wishes = Wishes { size, mode, samples, bounces, threads, simd, passes, ..Wishes::default() };
-            Plan::new(&mut program, &wishes).unwrap().draw(&Silent).unwrap().picture.values
-        };
-        let one = draw(1, implicit::num::level::Simd::Portable, implicit::render::Passes::Few);
-        for simd in implicit::num::level::Simd::all() {
-            let other = draw(3, simd, implicit::render::Passes::Many);
-            let bits = |values: &[[f32; 3]]| values.iter().flatten().map(|v| v.to_bits()).collect::<Vec<u32>>();
-            assert!(bits(&one) == bits(&other), "{mode:?} {simd:?}");
-        }
-    }
 }

@@ -20,13 +20,20 @@ pub fn derivative(graph: &mut Graph, roots: &[NodeId], seeds: [NodeId; 3]) -> Ve
     let here = graph.set_span(None);
     let zero = graph.integer(0);
     let nodes = graph.reachable(roots);
-    let mut of = vec![zero; nodes.last().map_or(0, |last| last.0 as usize + 1)];
+    // What was derived for other roots is not derived again.
+    let mut of = graph.take_derivatives(seeds);
+    let count = nodes.last().map_or(0, |last| last.0 as usize + 1);
+    of.resize(of.len().max(count), None);
     for u in nodes {
-        let inner = graph.node(u).args.map(|a| of.get(a.0 as usize).copied().unwrap_or(zero));
-        of[u.0 as usize] = Rules { graph, zero }.node(u, inner, seeds);
+        if of[u.0 as usize].is_none() {
+            let inner = graph.node(u).args.map(|a| of.get(a.0 as usize).copied().flatten().unwrap_or(zero));
+            of[u.0 as usize] = Some(Rules { graph, zero }.node(u, inner, seeds));
+        }
     }
     graph.set_span(here);
-    roots.iter().map(|root| of[root.0 as usize]).collect()
+    let found = roots.iter().map(|root| of[root.0 as usize].unwrap_or(zero)).collect();
+    graph.keep_derivatives(seeds, of);
+    found
 }
 
 /// The derivatives of f in x, y and z.

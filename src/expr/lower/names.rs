@@ -7,7 +7,7 @@ use super::limits::MAX_CHAIN;
 use super::{cut, meanings};
 use crate::diag::{Diagnostic, Span};
 use crate::syntax::ast::{Expr, ExprKind, Name, Program, SeriesRange, Statement, StatementKind};
-use crate::syntax::functions;
+use crate::syntax::{READY, functions, print};
 use std::collections::HashMap;
 
 /// Circles reported at most: each takes time to follow, and nobody reads more.
@@ -78,7 +78,7 @@ impl<'a> Names<'a> {
         for (position, first, second) in again {
             names.equations[position] = names.is_equation(first, &second);
             if !names.equations[position] {
-                diagnostics.push(names.defined_twice(first, second.name));
+                diagnostics.push(names.defined_twice(first, &second));
             }
         }
         names.sort(&mut diagnostics);
@@ -103,9 +103,30 @@ impl<'a> Names<'a> {
         self.list.push(Declaration { name, kind, poisoned: false });
     }
 
-    fn defined_twice(&self, first: usize, second: &Name) -> Diagnostic {
-        let error = Diagnostic::error(second.span, format!("`{}` is defined twice", cut(&second.text)));
-        error.also(self.list[first].name.span, "first defined here").help("give one of the two another name")
+    fn defined_twice(&self, first: usize, second: &Declaration<'a>) -> Diagnostic {
+        let name = cut(&second.name.text);
+        let error = Diagnostic::error(second.name.span, format!("`{name}` is defined twice"));
+        let error = error.also(self.list[first].name.span, "first defined here");
+        match second.kind {
+            // A definition with a block behind it was not read.
+            DeclarationKind::Value(Expr { kind: ExprKind::Invalid, .. }) if self.is_formula(first) => error.help(
+                format!("to draw a surface where `{name}` has a value write the value first, as in `1 = {name}`"),
+            ),
+            DeclarationKind::Value(value) if self.is_formula(first) => {
+                let value = cut(&print::expression(value));
+                error.help(format!("to draw the surface where `{name}` is {value} write `{value} = {name}`; else give one of the two another name"))
+            }
+            _ => error.help("give one of the two another name"),
+        }
+    }
+
+    /// Whether a definition changes from place to place by what it says itself.
+    fn is_formula(&self, index: usize) -> bool {
+        let DeclarationKind::Value(value) = self.list[index].kind else { return false };
+        let mut has_place = false;
+        let is_place = |name: &str| matches!(name, "x" | "y" | "z") || READY.contains(&name);
+        each_name(value, &mut Vec::new(), &mut |name| has_place |= is_place(name) && self.find(name).is_none());
+        has_place
     }
 
     /// Whether a second `f(x, y, z) = …` says where the function `first` has that value: its arguments are known.

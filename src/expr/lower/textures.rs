@@ -129,9 +129,22 @@ impl<'a> Lowerer<'a> {
                 }
                 ExprKind::Invalid => super::values::reported(),
                 _ if allows_grey => self.grey(attribute, expr, amount),
-                _ => self.no_color(attribute, expr.span),
+                _ => self.number_for_color(attribute, expr),
             },
             AttributeValue::Size(_, _, span) | AttributeValue::Box(_, span) => self.no_color(attribute, *span),
+        }
+    }
+
+    /// A number where a colour is wanted: which grey it may mean is shown, as sRGB and linear light have different ones.
+    fn number_for_color(&mut self, attribute: &'a Attribute, expr: &'a Expr) -> Reporting<Paint> {
+        match self.formula_or_number(attribute, expr)? {
+            Number::Known(value) if (0.0..=1.0).contains(&value) => {
+                let error = Diagnostic::error(expr.span, format!("`{}` wants a colour", attribute.key.text));
+                let grey = format!("rgb({value}, {value}, {value})");
+                Err(self
+                    .report(error.help(format!("for a grey that sends back this share of the light write `{grey}`"))))
+            }
+            Number::Known(_) | Number::Varying(_) => self.no_color(attribute, expr.span),
         }
     }
 

@@ -4,7 +4,7 @@
 //! the centre where the rest has one sign. Where the range is too wide for that, or leaves the domain, intervals answer.
 //! Separate from sums and products because each function has a bound of its own.
 
-use super::{AffineLanes, ROUNDING, SYMBOLS, TINY, arithmetic, repair};
+use super::{AffineLanes, ROUNDING, TINY, arithmetic, repair};
 use crate::num::func;
 use crate::num::func::trigonometric::{self, REDUCIBLE};
 use crate::num::level::Level;
@@ -26,9 +26,9 @@ struct Tangent {
 
 /// The form of a function from its tangent at (m, r); marks the lanes where it does not hold.
 #[inline(always)]
-fn along<const N: usize>(
-    a: &AffineLanes<N>,
-    out: &mut AffineLanes<N>,
+fn along<const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
     tangent: impl Fn(f64, f64) -> Tangent,
 ) -> Mask<N> {
     let mut odd = [0; N];
@@ -40,7 +40,7 @@ fn along<const N: usize>(
         let error = t.slope.abs() * a.error[i] + rest + ROUNDING * (t.size + t.slope.abs() * radius + rest) + TINY;
         out.center[i] = center;
         out.error[i] = error;
-        for k in 0..SYMBOLS {
+        for k in 0..S {
             out.slope[k][i] = t.slope * a.slope[k][i];
         }
         odd[i] = word(!(t.holds & (center.abs() + error < f64::INFINITY)));
@@ -52,7 +52,7 @@ fn along<const N: usize>(
 macro_rules! tangents {
     ($($name:ident($m:ident, $r:ident) = $tangent:expr;)*) => { $(
         #[inline(always)]
-        pub(super) fn $name<L: Level, const N: usize>(a: &AffineLanes<N>, out: &mut AffineLanes<N>) {
+        pub(super) fn $name<L: Level, const N: usize, const S: usize>(a: &AffineLanes<N, S>, out: &mut AffineLanes<N, S>) {
             let odd = along(a, out, |$m, $r| $tangent);
             if any(&odd) {
                 repair!(odd, out, $name::<L>(a));
@@ -107,14 +107,15 @@ fn bent(value: f64, slope: f64, half_bend: f64, r: f64) -> Tangent {
     Tangent { value, slope, least: -rest, most: rest, size: value.abs() + slope.abs() * r, holds: rest < 2.0 }
 }
 
-/// √x − (√m + (x − m)/(2√m)) is between −(x − m)²/(8·l^1.5) and 0, l the least x.
+/// √x is above the line through its ends, l and h, by at most (√h − √l)²/(4·(√h + √l)).
 #[inline(always)]
 fn root_tangent(m: f64, r: f64) -> Tangent {
-    let l = (m - r) * (1.0 - ROUNDING);
-    let value = m.sqrt();
-    let least = -(r * r) / (8.0 * l * l.sqrt()) * (1.0 + ROUNDING);
-    // Far down the curve a line says less than the two ends.
-    Tangent { value, slope: 0.5 / value, least, most: 0.0, size: value, holds: (l > 0.0) & (l > 0.1 * m) }
+    let (l, h) = (m - r, m + r);
+    let (least, most) = (l.sqrt(), h.sqrt());
+    let slope = 1.0 / (least + most);
+    let value = 0.5 * (least + most);
+    let above = 0.25 * slope * ((most - least) * (most - least)) * (1.0 + ROUNDING);
+    Tangent { value, slope, least: 0.0, most: above, size: most, holds: (l >= 0.0) & (h > 0.0) }
 }
 
 /// ln x − (ln m + (x − m)/m) is between −(x − m)²/(2·l²) and 0, l the least x; times `unit`.
@@ -166,10 +167,10 @@ fn tangent_of_tangent(f: f64, m: f64, r: f64) -> Tangent {
 
 /// Sine and cosine of the same forms.
 #[inline(always)]
-pub(super) fn sin_cos<L: Level, const N: usize>(
-    a: &AffineLanes<N>,
-    sin: &mut AffineLanes<N>,
-    cos: &mut AffineLanes<N>,
+pub(super) fn sin_cos<L: Level, const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    sin: &mut AffineLanes<N, S>,
+    cos: &mut AffineLanes<N, S>,
 ) {
     let (mut s, mut c) = ([0.0; N], [0.0; N]);
     for i in 0..N {
@@ -182,7 +183,7 @@ pub(super) fn sin_cos<L: Level, const N: usize>(
         for (out, t) in [(&mut *sin, wave(s[i], c[i], m, r)), (&mut *cos, wave(c[i], -s[i], m, r))] {
             out.center[i] = t.value + 0.5 * (t.most + t.least);
             out.error[i] = t.slope.abs() * a.error[i] + 0.5 * (t.most - t.least) + rest * (1.0 + r * r);
-            for k in 0..SYMBOLS {
+            for k in 0..S {
                 out.slope[k][i] = t.slope * a.slope[k][i];
             }
             odd[i] |= word(!t.holds);
@@ -198,7 +199,10 @@ pub(super) fn sin_cos<L: Level, const N: usize>(
 
 /// 1/x, for a quotient; marks the lanes where 0 is near: 1/x − (1/m − (x − m)/m²) = (x − m)²/(m²·x).
 #[inline(always)]
-pub(super) fn reciprocal<const N: usize>(a: &AffineLanes<N>, out: &mut AffineLanes<N>) -> Mask<N> {
+pub(super) fn reciprocal<const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
+) -> Mask<N> {
     along(a, out, |m, r| {
         let least_size = (m.abs() - r) * (1.0 - ROUNDING);
         let value = 1.0 / m;
@@ -215,38 +219,31 @@ const FEW_FACTORS: u64 = 16;
 
 /// Whole powers by repeated squaring of forms.
 #[inline(always)]
-pub(super) fn power<L: Level, const N: usize>(a: &AffineLanes<N>, n: i64, out: &mut AffineLanes<N>) {
+pub(super) fn power<L: Level, const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    n: i64,
+    out: &mut AffineLanes<N, S>,
+) {
     let count = n.unsigned_abs();
     if count == 0 || count > FEW_FACTORS {
         repair!([u64::MAX; N], out, power::<L>(a; n));
         return;
     }
     let mut odd = [0; N];
-    let mut square = *a;
+    let mut base = *a;
     if n < 0 {
-        odd = reciprocal(a, &mut square);
+        odd = reciprocal(a, &mut base);
     }
-    let mut value: Option<AffineLanes<N>> = None;
-    let mut rest = count;
-    loop {
-        if rest & 1 == 1 {
-            value = Some(match value {
-                None => square,
-                Some(known) => {
-                    let mut product = known;
-                    arithmetic::mul(&known, &square, &mut product);
-                    product
-                }
-            });
+    *out = base;
+    // From the second binary digit of the exponent down.
+    for digit in (0..count.ilog2()).rev() {
+        let before = *out;
+        arithmetic::square(&before, out);
+        if count >> digit & 1 == 1 {
+            let before = *out;
+            arithmetic::mul(&before, &base, out);
         }
-        rest >>= 1;
-        if rest == 0 {
-            break;
-        }
-        let before = square;
-        arithmetic::square(&before, &mut square);
     }
-    *out = value.unwrap_or(square);
     out.flags = a.flags;
     if any(&odd) {
         repair!(odd, out, power::<L>(a; n));
@@ -255,7 +252,11 @@ pub(super) fn power<L: Level, const N: usize>(a: &AffineLanes<N>, n: i64, out: &
 
 /// The root of odd order of forms beside 0: sign·e^(ln|x|/n).
 #[inline(always)]
-pub(super) fn root<L: Level, const N: usize>(a: &AffineLanes<N>, n: u32, out: &mut AffineLanes<N>) {
+pub(super) fn root<L: Level, const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    n: u32,
+    out: &mut AffineLanes<N, S>,
+) {
     let order = f64::from(n);
     let odd = along(a, out, |m, r| {
         let l = (m.abs() - r) * (1.0 - ROUNDING);
@@ -274,7 +275,11 @@ pub(super) fn root<L: Level, const N: usize>(a: &AffineLanes<N>, n: u32, out: &m
 
 /// a^b = e^(b·ln a) for a > 0.
 #[inline(always)]
-pub(super) fn pow<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<N>, out: &mut AffineLanes<N>) {
+pub(super) fn pow<L: Level, const N: usize, const S: usize>(
+    a: &AffineLanes<N, S>,
+    b: &AffineLanes<N, S>,
+    out: &mut AffineLanes<N, S>,
+) {
     let mut odd = [0; N];
     for i in 0..N {
         odd[i] = word(!(a.bounds(i).0 > 0.0));
@@ -284,9 +289,9 @@ pub(super) fn pow<L: Level, const N: usize>(a: &AffineLanes<N>, b: &AffineLanes<
         return;
     }
     let (mut logarithm, mut product) = (*a, *a);
-    ln::<L, N>(a, &mut logarithm);
+    ln::<L, N, S>(a, &mut logarithm);
     arithmetic::mul(&logarithm, b, &mut product);
-    exp::<L, N>(&product, out);
+    exp::<L, N, S>(&product, out);
     if any(&odd) {
         repair!(odd, out, pow::<L>(a, b));
     }

@@ -4,7 +4,7 @@ use super::{AffineLanes, SYMBOLS};
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::Simd;
 use crate::num::tests::Random;
-use crate::num::trial::{Trial, trials};
+use crate::num::trial::{Runner, Trial, trials};
 
 /// Batches of each operation: 16 forms, each asked at 5 places.
 const BATCHES: usize = 625;
@@ -13,7 +13,7 @@ const BATCHES: usize = 625;
 const SLACK: f64 = 4.0 * f64::EPSILON;
 
 /// A form of everyday or odd size, sometimes of one point, with what each ε is at some places.
-fn form(random: &mut Random, out: &mut AffineLanes<16>, lane: usize) {
+fn form<const S: usize>(random: &mut Random, out: &mut AffineLanes<16, S>, lane: usize) {
     let scale = [1.0, 1e-3, 1e-6, 0.0, 0.3, 10.0, 1e-9, 1e3][random.bits() as usize >> 8 & 7];
     let center = match random.number() {
         c if c.abs() < 1e100 => c,
@@ -30,12 +30,19 @@ fn form(random: &mut Random, out: &mut AffineLanes<16>, lane: usize) {
     out.error[lane] = error + SLACK * size;
 }
 
-fn at(form: &AffineLanes<16>, lane: usize, e: [f64; SYMBOLS]) -> f64 {
-    (0..SYMBOLS).map(|k| form.slope[k][lane] * e[k]).sum::<f64>() + form.center[lane]
+fn at<const S: usize>(form: &AffineLanes<16, S>, lane: usize, e: [f64; S]) -> f64 {
+    (0..S).map(|k| form.slope[k][lane] * e[k]).sum::<f64>() + form.center[lane]
 }
 
 #[track_caller]
-fn check(trial: &Trial, out: &AffineLanes<16>, lane: usize, e: [f64; SYMBOLS], value: f64, inputs: (f64, f64)) {
+fn check<const S: usize>(
+    trial: &Trial,
+    out: &AffineLanes<16, S>,
+    lane: usize,
+    e: [f64; S],
+    value: f64,
+    inputs: (f64, f64),
+) {
     let (center, error, flags) = (out.center[lane], out.error[lane], out.flags[lane]);
     if value.is_nan() {
         assert!(flags & PARTIAL != 0, "{} at {inputs:?} has no value, but is said to be defined", trial.name);
@@ -50,28 +57,33 @@ fn check(trial: &Trial, out: &AffineLanes<16>, lane: usize, e: [f64; SYMBOLS], v
 
 #[test]
 fn values_are_within_the_error_of_the_linear_part() {
+    values_are_within::<SYMBOLS>(|trial| trial.forms);
+    values_are_within::<1>(|trial| trial.along);
+}
+
+fn values_are_within<const S: usize>(runner: fn(&Trial) -> Runner<AffineLanes<16, S>>) {
     for trial in trials() {
         let mut random = Random(0xfeed_5eed);
         let (mut known, mut finite) = (0, 0);
         for _ in 0..BATCHES {
-            let mut a = AffineLanes::<16>::splat(0.0, 0.0);
+            let mut a = AffineLanes::<16, S>::splat(0.0, 0.0);
             let mut b = a;
             for lane in 0..16 {
                 form(&mut random, &mut a, lane);
                 form(&mut random, &mut b, lane);
             }
             let mut out = a;
-            (trial.forms)(Simd::best(), 1, &a, &b, &mut out);
+            runner(&trial)(Simd::best(), 1, &a, &b, &mut out);
             for lane in 0..16 {
                 known += u32::from(out.flags[lane] & (PARTIAL | JUMP) == 0);
                 finite += u32::from(out.error[lane] < f64::INFINITY);
                 for _ in 0..5 {
-                    let e = [0; SYMBOLS].map(|_| match random.bits() >> 9 & 3 {
+                    let e = [0; S].map(|_| match random.bits() >> 9 & 3 {
                         0 => -1.0,
                         1 => 1.0,
                         _ => random.unit() * 2.0 - 1.0,
                     });
-                    let inside = |form: &AffineLanes<16>, random: &mut Random| {
+                    let inside = |form: &AffineLanes<16, S>, random: &mut Random| {
                         let rest = form.error[lane] - SLACK * (form.center[lane].abs() + form.radius(lane));
                         at(form, lane, e) + rest.max(0.0) * (random.unit() * 2.0 - 1.0)
                     };
@@ -91,26 +103,35 @@ fn values_are_within_the_error_of_the_linear_part() {
 
 #[test]
 fn all_levels_give_the_same_forms() {
+    levels_agree::<SYMBOLS>(|trial| trial.forms);
+    levels_agree::<1>(|trial| trial.along);
+}
+
+fn levels_agree<const S: usize>(runner: fn(&Trial) -> Runner<AffineLanes<16, S>>) {
     for trial in trials() {
         let mut random = Random(11);
         for _ in 0..BATCHES / 8 {
-            let mut a = AffineLanes::<16>::splat(0.0, 0.0);
+            let mut a = AffineLanes::<16, S>::splat(0.0, 0.0);
             let mut b = a;
             for lane in 0..16 {
                 form(&mut random, &mut a, lane);
                 form(&mut random, &mut b, lane);
             }
-            let outs: Vec<AffineLanes<16>> = Simd::all()
+            let outs: Vec<AffineLanes<16, S>> = Simd::all()
                 .into_iter()
                 .map(|simd| {
                     let mut out = a;
-                    (trial.forms)(simd, 1, &a, &b, &mut out);
+                    runner(&trial)(simd, 1, &a, &b, &mut out);
                     out
                 })
                 .collect();
-            let bits = |form: &AffineLanes<16>, lane: usize| {
-                let numbers = [form.center[lane], form.slope[0][lane], form.slope[1][lane], form.slope[2][lane]];
-                (numbers.map(f64::to_bits), form.error[lane].to_bits(), form.flags[lane])
+            let bits = |form: &AffineLanes<16, S>, lane: usize| {
+                (
+                    form.center[lane].to_bits(),
+                    form.slope.map(|slope| slope[lane].to_bits()),
+                    form.error[lane].to_bits(),
+                    form.flags[lane],
+                )
             };
             for lane in (0..16).filter(|&lane| outs[0].error[lane] < f64::INFINITY) {
                 assert!(outs.iter().all(|o| bits(o, lane) == bits(&outs[0], lane)), "{} {:?}", trial.name, outs);

@@ -6,10 +6,10 @@
 
 use super::balance::Balance;
 use super::bsdf::Transport;
-use super::light::{LightVertex, Splat, light_paths, splats};
+use super::light::{LightRoom, LightVertex, Splat, light_paths, splats};
 use super::lights::{Emitter, Toward};
 use super::path::{DIMENSIONS, FIRST_DIMENSION, Goal, SHORT_OF_TARGET};
-use super::vertex::{Vertex, vertices};
+use super::vertex::{Onward, Travel, Vertex, vertices};
 use super::world::{Flight, From, Met, Numbers, Passing, World};
 use crate::film::Size;
 use crate::render::trace::Trace;
@@ -28,6 +28,7 @@ struct Path {
 }
 
 /// A vertex of such a path.
+#[derive(Clone, Copy)]
 struct EyeVertex<'a> {
     vertex: &'a Vertex,
     path: &'a Path,
@@ -53,36 +54,57 @@ struct Sought {
     back: f64,
 }
 
+/// Room for batches of paths from both ends, used again and again.
+#[derive(Default)]
+pub struct BothRoom {
+    samples: Vec<Numbers>,
+    partners: Vec<LightVertex>,
+    from_lights: LightRoom,
+    now: Travel<Path>,
+    on: Travel<Path>,
+    met: Vec<Met>,
+    found: Vec<Vertex>,
+    joining: Joining,
+}
+
+/// Room for the rays that join.
+#[derive(Default)]
+struct Joining {
+    joins: Vec<Join>,
+    rays: Vec<Flight>,
+    met: Vec<Met>,
+    found: Vec<Vertex>,
+    reached: Vec<usize>,
+}
+
 /// The radiance that arrives along each ray, in `light`, and more light at places of the picture, in `shown`; both are replaced.
 pub fn radiance<T: Trace>(
     world: &mut World<T>,
     eye: &[Flight],
     size: Size,
     bounces: u32,
+    room: &mut BothRoom,
     (light, shown): (&mut Vec<DVec3>, &mut Vec<Splat>),
 ) {
     light.clear();
     light.resize(eye.len(), DVec3::ZERO);
     shown.clear();
-    let samples: Vec<Numbers> = eye.iter().map(|flight| flight.numbers).collect();
-    let mut partners = Vec::new();
-    light_paths(world, &samples, bounces, &mut partners);
-    splats(world, &partners, &samples, size, true, shown);
+    show_lights(world, eye, (size, bounces), true, room, shown);
+    let BothRoom { partners, now, on, met, found, joining, .. } = room;
     // By sample, so that those of one lie together.
     partners.sort_by_key(|partner| (partner.vertex.path, partner.events));
-    let mut flights = eye.to_vec();
-    let mut paths: Vec<Path> =
-        eye.iter().enumerate().map(|(sample, flight)| start(world, size, sample, flight)).collect();
-    let (mut met, mut found) = (Vec::new(), Vec::new());
+    now.clear();
+    eye.iter().enumerate().for_each(|(sample, flight)| now.push(start(world, size, sample, flight), *flight));
     for event in 1..=bounces + 1 {
         let from = if event == 1 { From::Eye } else { From::Elsewhere };
-        world.fly(&mut flights, from, &mut met);
-        for ((path, flight), met) in paths.iter_mut().zip(&flights).zip(&met) {
+        let Travel { paths, flights } = &mut *now;
+        world.fly(flights, from, met);
+        for ((path, flight), met) in paths.iter_mut().zip(&*flights).zip(&*met) {
             path.throughput *= flight.left;
             light[path.sample] += path.throughput * seen(world, path, flight, met);
         }
-        vertices(world, &flights, &met, &mut found);
-        for vertex in &found {
+        vertices(world, flights, met, found);
+        for vertex in &*found {
             let (path, flight) = (&mut paths[vertex.path], &flights[vertex.path]);
             light[path.sample] += path.throughput * glow(world, path, flight, vertex);
             let distance = flight.distance + vertex.hit.t;
@@ -100,10 +122,26 @@ pub fn radiance<T: Trace>(
             let (path, numbers) = (&paths[vertex.path], flights[vertex.path].numbers);
             EyeVertex { vertex, path, numbers, event }
         });
-        let ends: Vec<EyeVertex> = ends.collect();
-        join(world, &ends, &partners, (first, bounces), light);
-        (paths, flights) = scatter(&ends, first);
+        join(world, ends.clone(), partners, (first, bounces), joining, light);
+        scatter(ends, first, on);
+        std::mem::swap(now, on);
     }
+}
+
+/// A path from a light for every ray from the eye, and what it shows to the camera; with `is_weighed` as one way among others.
+pub fn show_lights<T: Trace>(
+    world: &mut World<T>,
+    eye: &[Flight],
+    (size, bounces): (Size, u32),
+    is_weighed: bool,
+    room: &mut BothRoom,
+    shown: &mut Vec<Splat>,
+) {
+    let BothRoom { samples, partners, from_lights, .. } = room;
+    samples.clear();
+    samples.extend(eye.iter().map(|flight| flight.numbers));
+    light_paths(world, samples, bounces, from_lights, partners);
+    splats(world, partners, samples, size, is_weighed, from_lights, shown);
 }
 
 fn start<T: Trace>(world: &World<T>, size: Size, sample: usize, flight: &Flight) -> Path {
@@ -158,36 +196,38 @@ fn weight_of_emission<T: Trace>(
 }
 
 /// Joins the vertices of one event to emitters and to the vertices of their partners.
-fn join<T: Trace>(
+fn join<'a, T: Trace>(
     world: &mut World<T>,
-    ends: &[EyeVertex],
+    ends: impl Iterator<Item = EyeVertex<'a>>,
     partners: &[LightVertex],
     (first, bounces): (u32, u32),
+    room: &mut Joining,
     light: &mut [DVec3],
 ) {
-    let (mut joins, mut rays) = (Vec::new(), Vec::new());
-    for end in ends.iter().filter(|end| !end.vertex.bsdf.is_specular()) {
-        join_emitter(world, end, first, &mut joins, &mut rays);
+    let Joining { joins, rays, met, found, reached } = room;
+    joins.clear();
+    rays.clear();
+    reached.clear();
+    for end in ends.filter(|end| !end.vertex.bsdf.is_specular()) {
+        join_emitter(world, &end, first, joins, rays);
         let sample = end.path.sample;
         let start = partners.partition_point(|partner| partner.vertex.path < sample);
         let own = partners[start..].iter().take_while(|partner| partner.vertex.path == sample);
         for partner in own.filter(|partner| end.event + partner.events <= bounces) {
-            join_partner(end, partner, &mut joins, &mut rays);
+            join_partner(&end, partner, joins, rays);
         }
     }
-    let mut met = Vec::new();
-    world.fly(&mut rays, From::Elsewhere, &mut met);
-    let (mut found, mut reached) = (Vec::new(), Vec::new());
-    for (k, (join, met)) in joins.iter().zip(&met).enumerate() {
+    world.fly(rays, From::Elsewhere, met);
+    for (k, (join, met)) in joins.iter().zip(&*met).enumerate() {
         match met {
             _ if !join.goal.is_found(met) => {}
             Met::Surface(..) => reached.push(k),
             Met::Ball(..) | Met::Nothing => light[join.sample] += join.light * rays[k].left,
         }
     }
-    vertices(world, &rays, &met, &mut found);
+    vertices(world, rays, met, found);
     let mut of_ray = found.iter().peekable();
-    for k in reached {
+    for &k in &*reached {
         while of_ray.next_if(|vertex| vertex.path < k).is_some() {}
         let (Some(vertex), Some(sought)) = (of_ray.next_if(|vertex| vertex.path == k), &joins[k].surface) else {
             continue;
@@ -269,18 +309,13 @@ fn join_partner(end: &EyeVertex, partner: &LightVertex, joins: &mut Vec<Join>, r
     rays.push(Flight { passing: Passing::ByShare, ..ray });
 }
 
-fn scatter(ends: &[EyeVertex], first: u32) -> (Vec<Path>, Vec<Flight>) {
-    let (mut paths, mut flights) = (Vec::with_capacity(ends.len()), Vec::with_capacity(ends.len()));
+/// Goes on from every vertex as its surface scatters, into `on`.
+fn scatter<'a>(ends: impl Iterator<Item = EyeVertex<'a>>, first: u32, on: &mut Travel<Path>) {
+    on.clear();
     for EyeVertex { vertex, path, numbers, .. } in ends {
-        let ([u, v], [w, _]) = (numbers.at(first + 2), numbers.at(first + 3));
-        let Some(sample) = vertex.bsdf.sample(vertex.wo, [u, v, w], Transport::Radiance) else { continue };
-        let throughput = path.throughput * sample.weight;
-        if throughput == DVec3::ZERO || !throughput.is_finite() {
-            continue;
-        }
+        let onward = vertex.scatter(path.throughput, numbers, first + 2, Transport::Radiance);
+        let Some(Onward { sample, throughput, flight }) = onward else { continue };
         let balance = vertex.balance_behind(path.balance, &sample);
-        paths.push(Path { throughput, balance, from: Some(vertex.point), ..**path });
-        flights.push(vertex.go_on(sample.wi, *numbers));
+        on.push(Path { throughput, balance, from: Some(vertex.point), ..*path }, flight);
     }
-    (paths, flights)
 }

@@ -3,7 +3,7 @@
 //! In: pixels and the numbers of their samples. Out: for each sample the light that it found, and how it counts. A pure function of pixel,
 //! sample and seed.
 
-use super::light::{Splat, light_paths, splats};
+use super::light::Splat;
 use super::lights::Lights;
 use super::media::{Media, Solids};
 use super::world::{Flight, Numbers, Room, World};
@@ -52,6 +52,7 @@ pub struct Estimator<'a> {
     room: Room,
     eye: Option<Media>,
     paths: path::PathRoom,
+    both: bidirectional::BothRoom,
     flights: Vec<Flight>,
     places: Vec<[f64; 2]>,
     light: Vec<DVec3>,
@@ -61,9 +62,9 @@ pub struct Estimator<'a> {
 impl<'a> Estimator<'a> {
     /// With empty room.
     pub fn new(scene: &'a Scene, settings: &'a Settings, illumination: &'a Illumination) -> Self {
-        let (room, paths) = (Room::default(), path::PathRoom::default());
+        let (room, paths, both) = (Room::default(), path::PathRoom::default(), bidirectional::BothRoom::default());
         let (flights, places, light, shown) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Estimator { scene, settings, illumination, room, eye: None, paths, flights, places, light, shown }
+        Estimator { scene, settings, illumination, room, eye: None, paths, both, flights, places, light, shown }
     }
 
     /// The scene with someone who traces.
@@ -79,23 +80,22 @@ impl<'a> Estimator<'a> {
         let bounces = self.settings.bounces;
         let (flights, mut light) = (std::mem::take(&mut self.flights), std::mem::take(&mut self.light));
         let (mut shown, mut paths) = (std::mem::take(&mut self.shown), std::mem::take(&mut self.paths));
+        let mut both = std::mem::take(&mut self.both);
         shown.clear();
         let (size, mode) = (self.settings.size, self.settings.mode);
         let mut world = self.world(tracer);
         match mode {
             Mode::Light => {
-                let samples: Vec<Numbers> = flights.iter().map(|flight| flight.numbers).collect();
-                let mut vertices = Vec::new();
-                light_paths(&mut world, &samples, bounces, &mut vertices);
-                splats(&mut world, &vertices, &samples, size, false, &mut shown);
+                bidirectional::show_lights(&mut world, &flights, (size, bounces), false, &mut both, &mut shown);
                 path::radiance(&mut world, &flights, 0, &mut paths, &mut light);
             }
             Mode::Bidirectional => {
-                bidirectional::radiance(&mut world, &flights, size, bounces, (&mut light, &mut shown));
+                let found = (&mut light, &mut shown);
+                bidirectional::radiance(&mut world, &flights, size, bounces, &mut both, found);
             }
             _ => path::radiance(&mut world, &flights, bounces, &mut paths, &mut light),
         }
-        (self.flights, self.light, self.shown, self.paths) = (flights, light, shown, paths);
+        (self.flights, self.light, self.shown, self.paths, self.both) = (flights, light, shown, paths, both);
         out.clear();
         let finite = |light: DVec3| if light.is_finite() { light } else { DVec3::ZERO };
         let estimate = |((&light, &place), &is_covered)| Estimate { place, light: finite(light), is_covered };
@@ -113,7 +113,7 @@ impl<'a> Estimator<'a> {
         let bounces = self.settings.bounces;
         whitted::radiance(&mut self.world(tracer), &flights, bounces, &mut light);
         colours.clear();
-        colours.extend(light.iter().map(|&light| pixel(light)));
+        colours.extend(light.iter().map(|&light| pixel(bright_as_can_be(light))));
         self.light = light;
     }
 
@@ -149,4 +149,10 @@ impl<'a> Estimator<'a> {
             self.places.push(place);
         }
     }
+}
+
+/// Light that single precision can keep; what has no value, as infinite light on what is black, is dark.
+fn bright_as_can_be(light: DVec3) -> DVec3 {
+    // A maximum with 0 is 0 of what has no value, too.
+    light.max(DVec3::ZERO).min(DVec3::splat(f64::from(f32::MAX)))
 }

@@ -7,7 +7,7 @@ use super::balance::Balance;
 use super::bsdf::Transport;
 use super::lights::{Emitted, Emitter};
 use super::path::{DIMENSIONS, FIRST_DIMENSION, SHORT_OF_TARGET};
-use super::vertex::{Vertex, vertices};
+use super::vertex::{Onward, Travel, Vertex, vertices};
 use super::world::{Flight, From, Met, Numbers, Passing, World};
 use crate::film::Size;
 use crate::render::trace::Trace;
@@ -48,19 +48,37 @@ struct Path {
     emitted: Option<Emitted>,
 }
 
+/// Room for batches of paths from lights, used again and again.
+#[derive(Default)]
+pub struct LightRoom {
+    now: Travel<Path>,
+    on: Travel<Path>,
+    sought: Travel<Path>,
+    met: Vec<Met>,
+    found: Vec<Vertex>,
+    shown: Vec<Splat>,
+    rays: Vec<Flight>,
+}
+
 /// The vertices of one path a sample, of at most so many events, in the order of their events; `out` is replaced.
-pub fn light_paths<T: Trace>(world: &mut World<T>, samples: &[Numbers], bounces: u32, out: &mut Vec<LightVertex>) {
+pub fn light_paths<T: Trace>(
+    world: &mut World<T>,
+    samples: &[Numbers],
+    bounces: u32,
+    room: &mut LightRoom,
+    out: &mut Vec<LightVertex>,
+) {
     out.clear();
     if bounces == 0 {
         return;
     }
-    let (mut paths, mut flights) = leave(world, samples);
-    let (mut met, mut found) = (Vec::new(), Vec::new());
+    leave(world, samples, room);
     for event in 1..=bounces {
-        world.fly(&mut flights, From::Elsewhere, &mut met);
-        vertices(world, &flights, &met, &mut found);
+        let LightRoom { now: Travel { paths, flights }, met, found, .. } = room;
+        world.fly(flights, From::Elsewhere, met);
+        vertices(world, flights, met, found);
         let first = out.len();
-        for vertex in &found {
+        for vertex in &*found {
             let (path, flight) = (&mut paths[vertex.path], &flights[vertex.path]);
             path.throughput *= flight.left;
             let distance = flight.distance + vertex.hit.t;
@@ -76,14 +94,15 @@ pub fn light_paths<T: Trace>(world: &mut World<T>, samples: &[Numbers], bounces:
             return;
         }
         let dimension = FIRST_DIMENSION + event * DIMENSIONS;
-        (paths, flights) = scatter(samples, &out[first..], dimension);
+        scatter(samples, &out[first..], dimension, &mut room.on);
+        std::mem::swap(&mut room.now, &mut room.on);
     }
 }
 
 /// Rays that leave emitters, one a sample.
-fn leave<T: Trace>(world: &mut World<T>, samples: &[Numbers]) -> (Vec<Path>, Vec<Flight>) {
-    let (mut paths, mut flights) = (Vec::new(), Vec::new());
-    let (mut sought, mut seekers) = (Vec::new(), Vec::new());
+fn leave<T: Trace>(world: &mut World<T>, samples: &[Numbers], room: &mut LightRoom) {
+    room.now.clear();
+    room.sought.clear();
     for (sample, numbers) in samples.iter().enumerate() {
         let numbers = of_lights(numbers);
         let (choice, place, aim) = (numbers.at(0), numbers.at(1), numbers.at(2));
@@ -91,29 +110,20 @@ fn leave<T: Trace>(world: &mut World<T>, samples: &[Numbers]) -> (Vec<Path>, Vec
         let flight = Flight::new(emitted.ray, world.media_at(emitted.ray.origin), numbers);
         let path = Path { sample, throughput: emitted.power, balance: Balance::default(), emitted: Some(emitted) };
         if matches!(world.lights.list[emitted.emitter], Emitter::Glow { .. }) {
-            sought.push(path);
-            seekers.push(flight);
+            room.sought.push(path, flight);
         } else if emitted.power != DVec3::ZERO {
-            paths.push(path);
-            flights.push(flight);
+            room.now.push(path, flight);
         }
     }
-    leave_surfaces(world, sought, seekers, &mut paths, &mut flights);
-    (paths, flights)
+    leave_surfaces(world, room);
 }
 
 /// Finds where on surfaces that glow the rays begin.
-fn leave_surfaces<T: Trace>(
-    world: &mut World<T>,
-    sought: Vec<Path>,
-    mut seekers: Vec<Flight>,
-    paths: &mut Vec<Path>,
-    flights: &mut Vec<Flight>,
-) {
-    let (mut met, mut found) = (Vec::new(), Vec::new());
-    world.fly(&mut seekers, From::Elsewhere, &mut met);
-    vertices(world, &seekers, &met, &mut found);
-    for vertex in &found {
+fn leave_surfaces<T: Trace>(world: &mut World<T>, room: &mut LightRoom) {
+    let LightRoom { now, sought: Travel { paths: sought, flights: seekers }, met, found, .. } = room;
+    world.fly(seekers, From::Elsewhere, met);
+    vertices(world, seekers, met, found);
+    for vertex in &*found {
         let Path { throughput, emitted: Some(emitted), .. } = sought[vertex.path] else { continue };
         let is_it = world.lights.of_surface(vertex.hit.surface) == Some(emitted.emitter);
         if !is_it || vertex.emission == DVec3::ZERO {
@@ -127,8 +137,7 @@ fn leave_surfaces<T: Trace>(
         let flight = Flight { sure: seeker.distance + vertex.hit.t, ..flight };
         let emitted = Emitted { ray: flight.ray, cosine: vertex.cosine(), ..emitted };
         let throughput = throughput * vertex.emission;
-        paths.push(Path { throughput, emitted: Some(emitted), ..sought[vertex.path] });
-        flights.push(flight);
+        now.push(Path { throughput, emitted: Some(emitted), ..sought[vertex.path] }, flight);
     }
 }
 
@@ -161,21 +170,16 @@ fn first_balance<T: Trace>(
     balance.arrive_from_afar(vertex.cosine())
 }
 
-fn scatter(samples: &[Numbers], found: &[LightVertex], first: u32) -> (Vec<Path>, Vec<Flight>) {
-    let (mut paths, mut flights) = (Vec::with_capacity(found.len()), Vec::with_capacity(found.len()));
+/// Goes on from every vertex as its surface scatters, into `on`.
+fn scatter(samples: &[Numbers], found: &[LightVertex], first: u32, on: &mut Travel<Path>) {
+    on.clear();
     for LightVertex { vertex, throughput, balance, .. } in found {
         let numbers = of_lights(&samples[vertex.path]);
-        let ([u, v], [w, _]) = (numbers.at(first), numbers.at(first + 1));
-        let Some(sample) = vertex.bsdf.sample(vertex.wo, [u, v, w], Transport::Importance) else { continue };
-        let throughput = *throughput * sample.weight;
-        if throughput == DVec3::ZERO || !throughput.is_finite() {
-            continue;
-        }
+        let onward = vertex.scatter(*throughput, numbers, first, Transport::Importance);
+        let Some(Onward { sample, throughput, flight }) = onward else { continue };
         let balance = vertex.balance_behind(*balance, &sample);
-        paths.push(Path { sample: vertex.path, throughput, balance, emitted: None });
-        flights.push(vertex.go_on(sample.wi, numbers));
+        on.push(Path { sample: vertex.path, throughput, balance, emitted: None }, flight);
     }
-    (paths, flights)
 }
 
 /// The numbers of the path from a light that belongs to a sample.
@@ -191,10 +195,13 @@ pub fn splats<T: Trace>(
     samples: &[Numbers],
     size: Size,
     is_weighed: bool,
+    room: &mut LightRoom,
     out: &mut Vec<Splat>,
 ) {
     let count = f64::from(size.width()) * f64::from(size.height());
-    let (mut found, mut rays) = (Vec::new(), Vec::new());
+    let LightRoom { shown, rays, met, .. } = room;
+    shown.clear();
+    rays.clear();
     for LightVertex { vertex, throughput, balance, .. } in list.iter().filter(|v| !v.vertex.bsdf.is_specular()) {
         let Some(seen) = world.scene.camera.see(size.width(), size.height(), vertex.point) else { continue };
         let wi = vertex.local(seen.direction);
@@ -210,14 +217,13 @@ pub fn splats<T: Trace>(
             0.0
         };
         let light = *throughput * value * (pixels_per_area / (count * (1.0 + ratio)));
-        found.push(Splat { place: seen.place, light });
+        shown.push(Splat { place: seen.place, light });
         let numbers = of_lights(&samples[vertex.path]);
         let ray = vertex.leave(wi, seen.direction, seen.distance * SHORT_OF_TARGET, numbers);
         rays.push(Flight { passing: Passing::ByShare, ..ray });
     }
-    let mut met = Vec::new();
-    world.fly(&mut rays, From::Elsewhere, &mut met);
-    for ((splat, ray), met) in found.iter().zip(&rays).zip(&met) {
+    world.fly(rays, From::Elsewhere, met);
+    for ((splat, ray), met) in shown.iter().zip(&*rays).zip(&*met) {
         if let Met::Nothing = met {
             out.push(Splat { light: splat.light * ray.left, ..*splat });
         }

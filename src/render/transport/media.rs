@@ -63,6 +63,11 @@ impl Solids {
         self.list.get((u128::BITS - media.0.leading_zeros()).checked_sub(1)? as usize)
     }
 
+    /// The refractive index there; 1 of air.
+    pub fn ior(&self, media: Media) -> f64 {
+        self.filling(media).map_or(1.0, |(_, dielectric)| dielectric.ior)
+    }
+
     /// These media with one more or one less; the same if the surface bounds no clear solid.
     pub fn with(&self, media: Media, surface: u32, is_inside: bool) -> Media {
         let Some(bit) = self.of_surface[surface as usize] else { return media };
@@ -78,9 +83,8 @@ impl Solids {
         // The surface itself knows better than the bit: a ray may have come in through an open cut.
         let before = self.with(media, surface, is_inside);
         let after = self.with(media, surface, !is_inside);
-        let index = |media| self.filling(media).map_or(1.0, |(_, dielectric)| dielectric.ior);
         let is_there = self.filling(before).map(|f| f.0) != self.filling(after).map(|f| f.0);
-        Some(Boundary { before, after, relative_ior: is_there.then(|| index(after) / index(before)) })
+        Some(Boundary { before, after, relative_ior: is_there.then(|| self.ior(after) / self.ior(before)) })
     }
 }
 

@@ -6,7 +6,7 @@
 
 use super::bsdf::Transport;
 use super::lights::{Emitter, Lights};
-use super::vertex::{Vertex, vertices};
+use super::vertex::{Onward, Travel, Vertex, vertices};
 use super::world::{Flight, From, Met, Numbers, Passing, World};
 use crate::render::trace::Trace;
 use glam::DVec3;
@@ -85,18 +85,11 @@ impl Goal {
     }
 }
 
-/// Paths with their flights, in the same order.
-#[derive(Default)]
-struct Travel {
-    paths: Vec<Path>,
-    flights: Vec<Flight>,
-}
-
 /// Room for batches of paths, used again and again.
 #[derive(Default)]
 pub struct PathRoom {
-    now: Travel,
-    on: Travel,
+    now: Travel<Path>,
+    on: Travel<Path>,
     met: Vec<Met>,
     found: Vec<Vertex>,
     shadows: Vec<Shadow>,
@@ -218,26 +211,20 @@ fn arrive<T: Trace>(
 /// Goes on from every vertex as its surface scatters, into `on`.
 fn scatter(room: &mut PathRoom, first: u32, event: u32) {
     let PathRoom { now: Travel { paths, flights }, on, found, .. } = room;
-    on.paths.clear();
-    on.flights.clear();
+    on.clear();
     for vertex in &*found {
         let (path, numbers) = (&paths[vertex.path], flights[vertex.path].numbers);
-        let ([u, v], [w, chance]) = (numbers.at(first + 2), numbers.at(first + 3));
-        let Some(sample) = vertex.bsdf.sample(vertex.wo, [u, v, w], Transport::Radiance) else { continue };
-        let mut throughput = path.throughput * sample.weight;
+        let onward = vertex.scatter(path.throughput, numbers, first + 2, Transport::Radiance);
+        let Some(Onward { sample, mut throughput, flight }) = onward else { continue };
         if event >= SURE_EVENTS {
             let survival = throughput.max_element().clamp(LEAST_SURVIVAL, 1.0);
-            if chance >= survival {
+            if numbers.at(first + 3)[1] >= survival {
                 continue;
             }
             throughput /= survival;
         }
-        if throughput == DVec3::ZERO || !throughput.is_finite() {
-            continue;
-        }
         let pdf = if sample.is_specular { f64::INFINITY } else { sample.pdf };
-        on.paths.push(Path { place: path.place, throughput, pdf, from: vertex.point, is_from_eye: false });
-        on.flights.push(vertex.go_on(sample.wi, numbers));
+        on.push(Path { place: path.place, throughput, pdf, from: vertex.point, is_from_eye: false }, flight);
     }
 }
 

@@ -8,6 +8,7 @@ use super::media::{Boundary, Media};
 use super::warp::Frame;
 use super::world::{Flight, Matter, Met, Numbers, World};
 use crate::render::trace::Trace;
+use crate::scene::material::Kind;
 use crate::surface::{Hit, Ray, Side};
 use glam::DVec3;
 
@@ -22,6 +23,8 @@ pub struct Vertex {
     pub frame: Frame,
     /// Back along the path, in that frame.
     pub wo: DVec3,
+    /// Of which kind the surface is, seen from the medium in front.
+    pub kind: Kind,
     /// How it scatters.
     pub bsdf: Bsdf,
     /// Albedo or tint.
@@ -77,6 +80,15 @@ impl Vertex {
         self.starts[usize::from(wi.z < 0.0)]
     }
 
+    /// Goes on as the surface scatters, chosen by three numbers from this dimension on; `None`: all is absorbed.
+    pub fn scatter(&self, throughput: DVec3, numbers: Numbers, dimension: u32, transport: Transport) -> Option<Onward> {
+        let ([u, v], [w, _]) = (numbers.at(dimension), numbers.at(dimension + 1));
+        let sample = self.bsdf.sample(self.wo, [u, v, w], transport)?;
+        let throughput = throughput * sample.weight;
+        let has_light = throughput != DVec3::ZERO && throughput.is_finite();
+        has_light.then(|| Onward { sample, throughput, flight: self.go_on(sample.wi, numbers) })
+    }
+
     /// A flight that goes on in a direction of the frame.
     pub fn go_on(&self, wi: DVec3, numbers: Numbers) -> Flight {
         let direction = self.frame.world_from_local(wi).normalize();
@@ -88,6 +100,46 @@ impl Vertex {
         let side = usize::from(wi.z < 0.0);
         let ray = Ray { end, ..Ray::new(self.starts[side], direction) };
         Flight { passes: self.passes, ..Flight::new(ray, self.media[side], numbers) }
+    }
+}
+
+/// How a path goes on behind a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Onward {
+    /// In which direction, and how likely.
+    pub sample: Sample,
+    /// What it carries from here.
+    pub throughput: DVec3,
+    /// Its next flight.
+    pub flight: Flight,
+}
+
+/// Paths with their flights, in the same order.
+#[derive(Debug)]
+pub struct Travel<P> {
+    /// What each carries and knows.
+    pub paths: Vec<P>,
+    /// Where each is.
+    pub flights: Vec<Flight>,
+}
+
+impl<P> Default for Travel<P> {
+    fn default() -> Self {
+        Travel { paths: Vec::new(), flights: Vec::new() }
+    }
+}
+
+impl<P> Travel<P> {
+    /// Without any.
+    pub fn clear(&mut self) {
+        self.paths.clear();
+        self.flights.clear();
+    }
+
+    /// One more.
+    pub fn push(&mut self, path: P, flight: Flight) {
+        self.paths.push(path);
+        self.flights.push(flight);
     }
 }
 
@@ -153,9 +205,10 @@ fn vertex<T: Trace>(
     // A normal of length 1 that is turned to the ray has a cosine of at least 0; rounding may make it a little less.
     wo.z = wo.z.max(f64::MIN_POSITIVE);
     let relative_ior = boundary.and_then(|boundary| boundary.relative_ior).unwrap_or(1.0);
-    let bsdf = Bsdf::new(&world.material(&hit).kind, matter.color, matter.roughness, relative_ior);
+    let kind = world.material(&hit).kind.inside(world.solids.ior(flight.media));
+    let bsdf = Bsdf::new(&kind, matter.color, matter.roughness, relative_ior);
     let media = boundary.map_or([flight.media; 2], |boundary| [boundary.before, boundary.after]);
     let Flight { ray, passes, .. } = *flight;
     let Matter { color, emission, .. } = *matter;
-    Vertex { path, point, frame, wo, bsdf, color, relative_ior, emission, hit, ray, media, starts, passes }
+    Vertex { path, point, frame, wo, kind, bsdf, color, relative_ior, emission, hit, ray, media, starts, passes }
 }

@@ -6,7 +6,7 @@
 
 use super::bsdf::{Transport, direction, fresnel};
 use super::lights::Lights;
-use super::path::SHORT_OF_TARGET;
+use super::path::{Goal, SHORT_OF_TARGET};
 use super::vertex::{Vertex, vertices};
 use super::world::{Flight, From, Met, Passing, World};
 use crate::render::trace::Trace;
@@ -21,11 +21,12 @@ const LEAST_SHARE: f64 = 1e-3;
 /// What the light over the shoulder gives where a scene has no light of its own, over π; and the share of the surroundings.
 const SHOULDER: [f64; 2] = [0.8, 0.25];
 
-/// A far or near light, without size.
+/// A far or near light, without size; a ray towards it has to find its ball, if it has one, or nothing up to its distance.
 struct Lamp {
     toward: DVec3,
     distance: f64,
     irradiance: DVec3,
+    goal: Goal,
 }
 
 /// The light that arrives along each ray, in `light`, which is replaced; of at most so many events.
@@ -33,13 +34,18 @@ pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, li
     light.clear();
     light.resize(eye.len(), DVec3::ZERO);
     let mut flights = eye.to_vec();
-    flights.iter_mut().for_each(|flight| flight.passing = Passing::ByShare);
+    flights.iter_mut().for_each(|flight| flight.passing = Passing::BothWays);
     let mut shares: Vec<(usize, DVec3)> = (0..eye.len()).map(|place| (place, DVec3::ONE)).collect();
     let (mut met, mut found) = (Vec::new(), Vec::new());
     let around = world.scene.sky.as_ref().map_or(DVec3::ZERO, |sky| super::sky::SkyTable::new(sky).mean);
     for event in 0..=bounces {
         let from = if event == 0 { From::Eye } else { From::Elsewhere };
         world.fly(&mut flights, from, &mut met);
+        for &(k, flight, surface) in world.stayed() {
+            shares.push(shares[k]);
+            flights.push(flight);
+            met.push(surface);
+        }
         for (((place, share), flight), met) in shares.iter_mut().zip(&flights).zip(&met) {
             *share *= flight.left;
             light[*place] += *share * seen(world.lights, flight, met, event == 0 && world.hides_sky);
@@ -55,12 +61,12 @@ pub fn radiance<T: Trace>(world: &mut World<T>, eye: &[Flight], bounces: u32, li
         let mut next = (Vec::new(), Vec::new());
         for vertex in &found {
             let (place, share) = shares[vertex.path];
-            for (wi, part) in branches(world.scene, vertex) {
+            for (wi, part) in branches(vertex) {
                 let share = share * part;
                 if share.max_element() >= LEAST_SHARE {
                     let flight = vertex.go_on(wi, flights[vertex.path].numbers);
                     next.0.push((place, share));
-                    next.1.push(Flight { passing: Passing::ByShare, ..flight });
+                    next.1.push(Flight { passing: Passing::BothWays, ..flight });
                 }
             }
         }
@@ -89,14 +95,14 @@ fn shine<T: Trace>(
     let around = if world.scene.lights.is_empty() { around * SHOULDER[1] } else { around };
     for vertex in found {
         let (place, share) = shares[vertex.path];
-        if matches!(world.material(&vertex.hit).kind, Kind::Matte | Kind::Plastic { .. }) {
+        if matches!(vertex.kind, Kind::Matte | Kind::Plastic { .. }) {
             light[place] += share * vertex.color * around;
         }
         for lamp in lamps(world.scene, vertex.point) {
             let wi = vertex.local(lamp.toward);
             let value = vertex.value(wi, Transport::Radiance);
             if value != DVec3::ZERO && value.is_finite() {
-                arriving.push((place, share * value * lamp.irradiance));
+                arriving.push((place, share * value * lamp.irradiance, lamp.goal));
                 let ray = vertex.leave(wi, lamp.toward, lamp.distance, flights[vertex.path].numbers);
                 rays.push(Flight { passing: Passing::ByShare, ..ray });
             }
@@ -104,8 +110,8 @@ fn shine<T: Trace>(
     }
     let mut met = Vec::new();
     world.fly(&mut rays, From::Elsewhere, &mut met);
-    for (((place, part), ray), met) in arriving.into_iter().zip(&rays).zip(&met) {
-        if let Met::Nothing = met {
+    for (((place, part, goal), ray), met) in arriving.into_iter().zip(&rays).zip(&met) {
+        if goal.is_found(met) {
             light[place] += part * ray.left;
         }
     }
@@ -114,33 +120,36 @@ fn shine<T: Trace>(
 /// The lights as they are seen from a point, without their size.
 fn lamps(scene: &Scene, from: DVec3) -> Vec<Lamp> {
     if scene.lights.is_empty() {
-        let toward = studio::shoulder(&scene.camera);
-        return vec![Lamp { toward, distance: f64::INFINITY, irradiance: DVec3::splat(SHOULDER[0] * PI) }];
+        return vec![far_lamp(studio::shoulder(&scene.camera), DVec3::splat(SHOULDER[0] * PI))];
     }
-    let lamp = |light: &Light| match *light {
-        Light::Point { at, power } => near_lamp(at - from, 0.0, power),
-        Light::Ball { center, radius, power } => near_lamp(center - from, radius, power),
-        Light::Sun { toward, irradiance, .. } => Lamp { toward, distance: f64::INFINITY, irradiance },
+    let lamp = |(emitter, light): (usize, &Light)| match *light {
+        Light::Point { at, power } => near_lamp(at - from, power, Goal::Free),
+        Light::Ball { center, power, .. } => near_lamp(center - from, power, Goal::Ball(emitter)),
+        Light::Sun { toward, irradiance, .. } => far_lamp(toward, irradiance),
     };
-    scene.lights.iter().map(lamp).collect()
+    scene.lights.iter().enumerate().map(lamp).collect()
 }
 
-fn near_lamp(way: DVec3, radius: f64, power: DVec3) -> Lamp {
+fn far_lamp(toward: DVec3, irradiance: DVec3) -> Lamp {
+    Lamp { toward, distance: f64::INFINITY, irradiance, goal: Goal::Free }
+}
+
+fn near_lamp(way: DVec3, power: DVec3, goal: Goal) -> Lamp {
     let distance = way.length();
     let irradiance = power / (4.0 * PI * distance * distance);
-    Lamp { toward: way / distance, distance: (distance - radius) * SHORT_OF_TARGET, irradiance }
+    Lamp { toward: way / distance, distance: distance * SHORT_OF_TARGET, irradiance, goal }
 }
 
 /// The sharp rays that go on from a vertex, with their shares.
-fn branches(scene: &Scene, vertex: &Vertex) -> Vec<(DVec3, DVec3)> {
+fn branches(vertex: &Vertex) -> Vec<(DVec3, DVec3)> {
     let wo = vertex.wo;
     let mirrored = direction::reflected(wo, DVec3::Z);
-    match scene.materials[vertex.hit.surface as usize].kind {
+    match vertex.kind {
         Kind::Matte => Vec::new(),
         Kind::Mirror => vec![(mirrored, vertex.color)],
         Kind::Metal(Some(conductor)) => vec![(mirrored, fresnel::Metallic::Measured(conductor).share(wo.z))],
         Kind::Metal(None) => vec![(mirrored, fresnel::Metallic::Tint(vertex.color).share(wo.z))],
-        Kind::Plastic { ior } => vec![(mirrored, DVec3::splat(fresnel::dielectric(wo.z, ior)))],
+        Kind::Plastic { ior } => vec![(mirrored, DVec3::splat(fresnel::dielectric(wo.z, ior.max(1.0))))],
         Kind::Glass(_) => {
             let ior = vertex.relative_ior;
             let reflected = fresnel::dielectric(wo.z, ior);

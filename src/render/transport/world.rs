@@ -83,6 +83,8 @@ pub enum Passing {
     ByChance,
     /// By share: the part that passes.
     ByShare,
+    /// By share, and the other part stays: [`World::stayed`] tells of it.
+    BothWays,
 }
 
 /// Where flights start.
@@ -128,6 +130,7 @@ pub struct Room {
     hits: Vec<Hit>,
     open: Vec<usize>,
     asked: Vec<(usize, Hit)>,
+    stayed: Vec<(usize, Flight, Met)>,
     opacity: Vec<DVec3>,
     passing: Vec<(usize, Hit)>,
     departures: Vec<(Ray, Hit, Side)>,
@@ -150,6 +153,7 @@ impl<T: Trace> World<'_, T> {
         met.clear();
         met.resize(flights.len(), Met::Nothing);
         let mut room = std::mem::take(self.room);
+        room.stayed.clear();
         let is_from_eye = from == From::Eye;
         let mut from = from;
         room.open.clear();
@@ -163,7 +167,7 @@ impl<T: Trace> World<'_, T> {
             }
             from = From::Elsewhere;
             self.sort(flights, &mut room, met);
-            self.pass_by_opacity(flights, &mut room);
+            self.pass_by_opacity(flights, &mut room, met);
             self.go_on(flights, &mut room);
         }
         if is_from_eye {
@@ -171,6 +175,11 @@ impl<T: Trace> World<'_, T> {
             room.covered.extend(met.iter().map(|met| !matches!(met, Met::Nothing)));
         }
         *self.room = room;
+    }
+
+    /// What stayed at surfaces that the last flights passed both ways: of which flight, the part with its light, and the surface.
+    pub fn stayed(&self) -> &[(usize, Flight, Met)] {
+        &self.room.stayed
     }
 
     /// What each open flight met; those that may pass are put aside.
@@ -226,7 +235,7 @@ impl<T: Trace> World<'_, T> {
     }
 
     /// Of those that met what is partly there, finds who passes.
-    fn pass_by_opacity(&mut self, flights: &mut [Flight], room: &mut Room) {
+    fn pass_by_opacity(&mut self, flights: &mut [Flight], room: &mut Room, met: &[Met]) {
         let places = |&(k, hit): &(usize, Hit)| (hit.surface, flights[k].ray.at(hit.t));
         let asked: Vec<(u32, DVec3)> = room.asked.iter().map(places).collect();
         textures(self.scene, &asked, |material| &material.opacity, &mut room.opacity);
@@ -238,6 +247,14 @@ impl<T: Trace> World<'_, T> {
                 Passing::ByChance => flight.numbers.at(PASSING + flight.passes)[0] >= share,
                 Passing::ByShare => {
                     flight.left *= 1.0 - share;
+                    share < 1.0
+                }
+                Passing::BothWays => {
+                    let stays = Flight { left: flight.left * share, ..*flight };
+                    if share > 0.0 && share < 1.0 {
+                        room.stayed.push((k, stays, met[k]));
+                    }
+                    flight.left *= if share < 1.0 { 1.0 - share } else { 1.0 };
                     share < 1.0
                 }
             };

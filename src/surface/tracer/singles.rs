@@ -2,7 +2,7 @@
 //!
 //! In: open rays. Out: their hits. Separate from the door because it knows no picture.
 
-use super::{FAR, Job, STRETCH, Tracer};
+use super::{FAR, Job, Method, STRETCH, Tracer};
 use crate::surface::careful::{Careful, End};
 use crate::surface::hit::{Outcome, Ray};
 use crate::surface::index::{Piece, Scratch};
@@ -72,9 +72,16 @@ impl Tracer<'_> {
     /// Settles all open rays in one formula.
     fn settle_open(&mut self, formula: Formula, surface: &Surface, (index, k): (usize, usize), job: &mut Job) {
         while !self.open.is_empty() {
-            let Registers { cells, .. } = &mut self.files[index][k].registers;
+            let Registers { cells, along, .. } = &mut self.files[index][k].registers;
             let rays = Rays { list: job.rays, size: surface.size, simd: surface.simd };
-            self.pool.run(formula, cells, &rays, &mut self.open, &mut self.found);
+            if self.method == Method::Intervals {
+                self.pool.run(formula, cells, &rays, &mut self.open, &mut self.found);
+            } else {
+                self.pool.contract(formula, (cells, along), &rays, &mut self.open, &mut self.found);
+                // Numbers too large for forms have one bound at least as intervals.
+                let mut left = std::mem::take(&mut self.found.hard);
+                self.pool.run(formula, cells, &rays, &mut left, &mut self.found);
+            }
             self.counts.cells += std::mem::take(&mut self.found.cells);
             for (ray, slabs) in self.found.empty.drain(..) {
                 job.hits[ray as usize].cost += slabs;
@@ -92,7 +99,9 @@ impl Tracer<'_> {
 
     /// Refines all brackets found, and files what comes of it.
     fn refine(&mut self, formula: Formula, surface: &Surface, (index, k): (usize, usize), job: &mut Job) {
-        let brackets = std::mem::take(&mut self.found.brackets);
+        let mut brackets = std::mem::take(&mut self.found.brackets);
+        // Those that are known to have a root need less, if they are together.
+        brackets.sort_by_key(|bracket| !bracket.has_root());
         for chunk in brackets.chunks(POINTS) {
             let Registers { point, gradient, cells, .. } = &mut self.files[index][k].registers;
             let mut files = Files { point, gradient, cells: &mut cells.value };

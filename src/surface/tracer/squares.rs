@@ -13,8 +13,8 @@ use crate::surface::kernels::{Formula, Program};
 use crate::surface::memory::Registers;
 use crate::surface::screen::{Rectangle, place_cells};
 use crate::surface::sheet::Surface;
-use crate::surface::stream::{End, Sink, Tools};
-use crate::surface::tile::{Place, Rest};
+use crate::surface::stream::{End, Sink, Stream, Tools};
+use crate::surface::tile::{Crossing, Place, Rest};
 use std::ops::Range;
 
 /// A rectangle in which more arguments than this matter is quartered.
@@ -85,11 +85,12 @@ impl Tracer<'_> {
     fn part(&mut self, here: Here, view: View, block: Block, among: Option<&[u32]>, job: &mut Job) {
         let sheet = &here.surface.sheets[here.k];
         if let Some(sum) = &sheet.kernels.sum {
-            self.terms(here, view, block, &sum.whole(), job);
+            self.terms(here, view, block, sum.whole(), job);
             return;
         }
         let Some(parts) = &sheet.kernels.parts else {
             self.walk(here, sheet.kernels.whole(), view, block, job);
+            self.finish(here, sheet.kernels.whole(), view, job);
             return;
         };
         let Some(block) = self.shrunk(here.surface.simd, view, block) else { return };
@@ -149,6 +150,7 @@ impl Tracer<'_> {
             let formula = here.surface.sheets[here.k].kernels.only(&program);
             if let Some(block) = self.shrunk(here.surface.simd, view, block) {
                 self.walk(here, formula, view, block, job);
+                self.finish(here, formula, view, job);
             }
         }
     }
@@ -162,36 +164,26 @@ impl Tracer<'_> {
         depths.and_then(|found| meet(beyond(found), block.depths)).map(|depths| Block { depths, ..block })
     }
 
-    /// Settles what squares of a part of the rectangle can in one formula, and opens the rays of the rest.
-    pub(super) fn walk(
-        &mut self,
-        Here { surface, index, k }: Here,
-        formula: Formula,
-        View { screen, rectangle, bundle }: View,
-        block: Block,
-        job: &mut Job,
-    ) {
-        let (size, simd) = (surface.size, surface.simd);
-        let Tiles { walk, settled, stream, spans, .. } = &mut self.tiles;
+    /// Settles what squares of a part of the rectangle can in one formula, and opens the rays of the rest. Some roots
+    /// may wait for more of the same formula, until [`Self::finish`].
+    pub(super) fn walk(&mut self, here: Here, formula: Formula, view: View, block: Block, job: &mut Job) {
+        let (simd, bundle) = (here.surface.simd, view.bundle);
+        let Tiles { walk, settled, spans, .. } = &mut self.tiles;
         settled.clear();
-        let registers = &mut self.files[index][k].registers;
+        let registers = &mut self.files[here.index][here.k].registers;
         let range = |square: Place| {
             let found = spans.depths(bundle, square.first, square.count(), simd);
             found.and_then(|found| meet(found, block.depths))
         };
         let region = (block.place, bundle, block.depths, range);
-        walk.run(formula, &mut registers.forms, (screen, rectangle, simd), region, settled);
+        walk.run(formula, &mut registers.forms, (view.screen, view.rectangle, simd), region, settled);
         self.counts.cells += settled.cells;
-        let Registers { gradient, balls, cells, .. } = registers;
-        let cells = &mut cells.value;
-        let mut tools = Tools { formula, gradient, balls, cells, size, simd, evaluations: 0, enclosures: 0 };
-        let mut filing = Filing { bundle, spans, open: &mut self.open, job };
-        for crossing in &settled.crossings {
-            stream.take(crossing, bundle, &mut tools, &mut filing);
-        }
-        stream.finish(&mut tools, &mut filing);
-        self.counts.gradients += tools.evaluations;
-        self.counts.cells += tools.enclosures;
+        self.stream(here, formula, view, job, |stream, crossings, tools, filing| {
+            for crossing in crossings {
+                stream.take(crossing, bundle, tools, filing);
+            }
+        });
+        let Tiles { settled, spans, .. } = &mut self.tiles;
         for &Rest { place, a, step, cost } in &settled.rest {
             for i in place.first..place.first + place.count() {
                 let (t0, t1, long) = (spans.near[i], spans.far[i], bundle.length[i]);
@@ -202,6 +194,30 @@ impl Tracer<'_> {
                 }
             }
         }
+    }
+
+    /// Settles the roots that wait.
+    pub(super) fn finish(&mut self, here: Here, formula: Formula, view: View, job: &mut Job) {
+        self.stream(here, formula, view, job, |stream, _, tools, filing| stream.finish(tools, filing));
+    }
+
+    /// Works on the stream of roots of a formula.
+    fn stream(
+        &mut self,
+        Here { surface, index, k }: Here,
+        formula: Formula,
+        view: View,
+        job: &mut Job,
+        work: impl FnOnce(&mut Stream, &[Crossing], &mut Tools, &mut Filing),
+    ) {
+        let Tiles { settled, stream, spans, .. } = &mut self.tiles;
+        let Registers { gradient, balls, cells, .. } = &mut self.files[index][k].registers;
+        let (cells, size, simd) = (&mut cells.value, surface.size, surface.simd);
+        let mut tools = Tools { formula, gradient, balls, cells, size, simd, evaluations: 0, enclosures: 0 };
+        let mut filing = Filing { bundle: view.bundle, spans, open: &mut self.open, job };
+        work(stream, &settled.crossings, &mut tools, &mut filing);
+        self.counts.gradients += tools.evaluations;
+        self.counts.cells += tools.enclosures;
     }
 }
 

@@ -73,6 +73,7 @@ const WRONG: &[(&str, u32, &str, &str)] = &[
     ("root(x, y)", 6, "known before drawing", ""),
     // Names.
     ("a = 1; a = 2; x = a", 8, "`a` is defined twice", "another name"),
+    ("q = x^2 + y^2 - z; q = 0.02; z", 20, "`q` is defined twice", "write `0.02 = q`"),
     ("f(u) = u; f(v) = 3; x", 11, "`f` is defined twice", "another name"),
     ("f(u) = u; f(x, y) = 3; x", 11, "`f` was given 2 arguments", "f(u)"),
     ("a = 1 in [0, 2]; a = 2; x", 18, "`a` is defined twice", "another name"),

@@ -16,16 +16,16 @@ use glam::DVec3;
 use std::sync::OnceLock;
 
 /// Nodes of the refractive index from equal to infinitely different, even in the fourth root of the reflectance at a right angle.
-const INDICES: usize = 21;
+const INDICES: usize = 41;
 
 /// Nodes of the roughness, even in it.
 const ROUGHNESSES: usize = 16;
 
-/// Nodes of the means over all angles, even in the roughness; closer, for the least means change fast.
-const MEANS: usize = 4 * (ROUGHNESSES - 1) + 1;
+/// Parts between two nodes of the roughness that have means over all angles; closer, for the least means change fast.
+const MEANS: usize = 4;
 
 /// Nodes of the angle, even in [`Warp::of_cosine`].
-const ANGLES: usize = 32;
+const ANGLES: usize = 48;
 
 /// The roughness at a part of 0..=1 of what there is.
 fn roughness(part: f64) -> f64 {
@@ -39,19 +39,28 @@ fn position_of(alpha: f64) -> f64 {
     (alpha.sqrt() - least) / (1.0 - least)
 }
 
-type Grid = [[f64; ANGLES]; ROUGHNESSES];
-
-/// The tables of one refractive index, light arriving on one side.
-struct Side {
-    reflected: Grid,
-    lost: Grid,
-    mean_reflected: [f64; MEANS],
-    /// Over α², with which it falls.
-    mean_lost: [f64; MEANS],
+/// The shares of light at one refractive index and roughness, by angle, light arriving on one side.
+struct Shares {
+    reflected: [f64; ANGLES],
+    lost: [f64; ANGLES],
 }
 
-/// Both sides of the interfaces: on arrival from the thinner medium, from the denser.
-static TABLES: [OnceLock<[Side; 2]>; INDICES] = [const { OnceLock::new() }; INDICES];
+/// Their means over all directions, from one node of the roughness to the next.
+struct Means {
+    reflected: [f64; MEANS + 1],
+    /// Over α², with which it falls.
+    lost: [f64; MEANS + 1],
+}
+
+/// Of both sides of an interface: on arrival from the thinner medium, from the denser.
+type Sides<T> = [T; 2];
+
+/// By refractive index and roughness, made where they are asked for: a scene has few of each.
+static SHARES: [[OnceLock<Sides<Shares>>; ROUGHNESSES]; INDICES] =
+    [const { [const { OnceLock::new() }; ROUGHNESSES] }; INDICES];
+
+static MEAN_SHARES: [[OnceLock<Sides<Means>>; ROUGHNESSES - 1]; INDICES] =
+    [const { [const { OnceLock::new() }; ROUGHNESSES - 1] }; INDICES];
 
 /// Where in the tables an interface is.
 #[derive(Clone, Copy, Debug)]
@@ -91,12 +100,13 @@ impl Place {
     pub fn new(ior: f64, alpha: f64) -> Self {
         let contrast = if ior < 1.0 { (1.0 - ior) / (1.0 + ior) } else { 1.0 - 2.0 / (1.0 + ior) };
         let part = position_of(alpha);
+        let roughness = Step::new(part * (ROUGHNESSES - 1) as f64, ROUGHNESSES);
         Place {
             warp: Warp { alpha },
             is_denser_before: ior < 1.0,
             index: Step::new(contrast.max(0.0).sqrt() * (INDICES - 1) as f64, INDICES),
-            roughness: Step::new(part * (ROUGHNESSES - 1) as f64, ROUGHNESSES),
-            mean: Step::new(part * (MEANS - 1) as f64, MEANS),
+            roughness,
+            mean: Step::new((part * (ROUGHNESSES - 1) as f64 - roughness.at as f64) * MEANS as f64, MEANS + 1),
         }
     }
 
@@ -108,36 +118,42 @@ impl Place {
     /// The share of light from this angle that is reflected after meeting one facet.
     pub fn reflected(&self, cosine: f64) -> f64 {
         let angle = self.angle(cosine);
-        self.over_indices(|side| self.over_grid(&side.reflected, angle))
+        self.of_shares(|shares| angle.of(&shares.reflected))
     }
 
     /// The share of light from this angle that is lost after meeting one facet.
     pub fn lost(&self, cosine: f64) -> f64 {
         let angle = self.angle(cosine);
-        self.over_indices(|side| self.over_grid(&side.lost, angle))
+        self.of_shares(|shares| angle.of(&shares.lost))
     }
 
     /// The mean of [`Place::reflected`] over all directions, weighted by their cosine.
     pub fn mean_reflected(&self) -> f64 {
-        self.over_indices(|side| self.mean.of(&side.mean_reflected))
+        self.of_means(|means| self.mean.of(&means.reflected))
     }
 
     /// The mean of [`Place::lost`] over all directions, weighted by their cosine.
     pub fn mean_lost(&self) -> f64 {
-        self.over_indices(|side| self.mean.of(&side.mean_lost)) * (self.warp.alpha * self.warp.alpha)
+        self.of_means(|means| self.mean.of(&means.lost)) * (self.warp.alpha * self.warp.alpha)
     }
 
     fn angle(&self, cosine: f64) -> Step {
         Step::new(self.warp.of_cosine(cosine) * (ANGLES - 1) as f64, ANGLES)
     }
 
-    fn over_grid(&self, grid: &Grid, angle: Step) -> f64 {
+    fn of_shares(&self, value: impl Fn(&Shares) -> f64) -> f64 {
         let Step { at, share } = self.roughness;
-        between(angle.of(&grid[at]), angle.of(&grid[at + 1]), share)
+        let side = usize::from(self.is_denser_before);
+        let of = |node: usize, row: usize| value(&shares_at(node, row)[side]);
+        self.over_indices(|node| between(of(node, at), of(node, at + 1), share))
     }
 
-    fn over_indices(&self, value: impl Fn(&Side) -> f64) -> f64 {
-        let of = |node: usize| value(&sides(node)[usize::from(self.is_denser_before)]);
+    fn of_means(&self, value: impl Fn(&Means) -> f64) -> f64 {
+        let side = usize::from(self.is_denser_before);
+        self.over_indices(|node| value(&means_at(node, self.roughness.at)[side]))
+    }
+
+    fn over_indices(&self, of: impl Fn(usize) -> f64) -> f64 {
         match self.index {
             // No table for nothing.
             Step { at, share: 1.0 } => of(at + 1),
@@ -173,52 +189,63 @@ impl Warp {
     }
 }
 
-fn sides(node: usize) -> &'static [Side; 2] {
-    TABLES[node].get_or_init(|| {
-        let root = node as f64 / (INDICES - 1) as f64;
-        let contrast = root * root;
-        let ior = (1.0 + contrast) / (1.0 - contrast);
-        [integrated(ior), integrated(1.0 / ior)]
+/// The refractive indices beyond over before of a node, on arrival from the thinner medium, and from the denser.
+fn indices(node: usize) -> Sides<f64> {
+    let root = node as f64 / (INDICES - 1) as f64;
+    let contrast = root * root;
+    let ior = (1.0 + contrast) / (1.0 - contrast);
+    [ior, 1.0 / ior]
+}
+
+fn shares_at(node: usize, row: usize) -> &'static Sides<Shares> {
+    SHARES[node][row].get_or_init(|| {
+        let roughness = roughness(row as f64 / (ROUGHNESSES - 1) as f64);
+        let warp = Warp { alpha: roughness * roughness };
+        indices(node).map(|ior| {
+            let mut all = Shares { reflected: [0.0; ANGLES], lost: [0.0; ANGLES] };
+            for angle in 0..ANGLES {
+                let cosine = warp.cosine(angle as f64 / (ANGLES - 1) as f64).max(LEAST_COSINE);
+                [all.reflected[angle], all.lost[angle]] = shares(cosine, ior, warp.alpha);
+            }
+            all
+        })
     })
 }
 
-/// The tables of a refractive index.
-fn integrated(ior: f64) -> Side {
-    let (mut reflected, mut lost) = ([[0.0; ANGLES]; ROUGHNESSES], [[0.0; ANGLES]; ROUGHNESSES]);
-    for row in 0..ROUGHNESSES {
-        let roughness = roughness(row as f64 / (ROUGHNESSES - 1) as f64);
-        let warp = Warp { alpha: roughness * roughness };
-        for angle in 0..ANGLES {
-            let cosine = warp.cosine(angle as f64 / (ANGLES - 1) as f64).max(LEAST_COSINE);
-            [reflected[row][angle], lost[row][angle]] = shares(cosine, ior, warp.alpha);
-        }
-    }
-    let mean_reflected = std::array::from_fn(|mean| averaged(&reflected, mean)[0]);
-    let mean_lost = std::array::from_fn(|mean| averaged(&lost, mean)[1]);
-    Side { reflected, lost, mean_reflected, mean_lost }
+fn means_at(node: usize, row: usize) -> &'static Sides<Means> {
+    MEAN_SHARES[node][row].get_or_init(|| {
+        let (these, next) = (shares_at(node, row), shares_at(node, row + 1));
+        std::array::from_fn(|side| {
+            let (a, b) = (&these[side], &next[side]);
+            Means {
+                reflected: std::array::from_fn(|part| averaged([&a.reflected, &b.reflected], row, part)[0]),
+                lost: std::array::from_fn(|part| averaged([&a.lost, &b.lost], row, part)[1]),
+            }
+        })
+    })
 }
 
 /// What stands for a cosine of 0.
 const LEAST_COSINE: f64 = 1e-6;
 
-/// Parts around the normal, and away from it, that the visible facets are taken in.
-const PARTS: [usize; 2] = [12, 24];
+/// The visible facets are taken at the points (k/F_n, k·F_(n−1)/F_n) of a lattice by two of Fibonacci's numbers, which are even in all
+/// directions and cross the edges of what leaves and what does not aslant (Sloan and Joe 1994, "Lattice Methods for Multiple
+/// Integration", section 4.8).
+const LATTICE: [u32; 2] = [1597, 987];
 
 /// The shares of light from this angle that are reflected, and lost, after meeting one facet.
 fn shares(cosine: f64, ior: f64, alpha: f64) -> [f64; 2] {
     let slopes = Slopes { alpha };
     let wo = DVec3::new((1.0 - cosine * cosine).max(0.0).sqrt(), 0.0, cosine);
-    // Closer together towards the ends, of which one has the few steep facets that lead far away.
-    let edge = |along: f64| {
-        let t = along / PARTS[1] as f64;
-        t * t * (3.0 - 2.0 * t)
-    };
     let (mut reflected, mut lost) = (0.0, 0.0);
-    for (across, along) in (0..PARTS[0]).flat_map(|a| (0..PARTS[1]).map(move |b| (a as f64, b as f64))) {
-        let share = (edge(along + 1.0) - edge(along)) / PARTS[0] as f64;
+    for k in 0..LATTICE[0] {
+        let part = |k: u32| (f64::from(k) + 0.5) / f64::from(LATTICE[0]);
         // Half a turn is enough, the other half being its mirror image.
-        let u = (across + 0.5) / PARTS[0] as f64 * 0.5;
-        let m = slopes.visible_normal(wo, [u, edge(along + 0.5)]);
+        let u = part(k) * 0.5;
+        // Closer together towards the ends, of which one has the few steep facets that lead far away.
+        let t = part(k * LATTICE[1] % LATTICE[0]);
+        let (along, share) = (t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / f64::from(LATTICE[0]));
+        let m = slopes.visible_normal(wo, [u, along]);
         let [up, down] = leaving(slopes, wo, m, ior);
         reflected += share * up;
         lost += share * (1.0 - up - down);
@@ -243,11 +270,11 @@ fn leaving(slopes: Slopes, wo: DVec3, m: DVec3, ior: f64) -> [f64; 2] {
 /// Parts that the mean over all angles is taken in.
 const MEAN_PARTS: usize = 256;
 
-/// The mean of what [`Place`] says of single angles, at a node of the means, weighted by their cosine; and that over α².
-fn averaged(grid: &Grid, mean: usize) -> [f64; 2] {
-    let part = mean as f64 / (MEANS - 1) as f64;
-    let row = Step::new(part * (ROUGHNESSES - 1) as f64, ROUGHNESSES);
-    let roughness = roughness(part);
+/// The mean of what [`Place`] says of single angles, at a part of the way from one row to the next, weighted by their cosine; and that
+/// over α².
+fn averaged(rows: [&[f64; ANGLES]; 2], row: usize, part: usize) -> [f64; 2] {
+    let share = part as f64 / MEANS as f64;
+    let roughness = roughness((row as f64 + share) / (ROUGHNESSES - 1) as f64);
     let warp = Warp { alpha: roughness * roughness };
     let edge = |part: usize| {
         let cosine = warp.cosine(part as f64 / MEAN_PARTS as f64);
@@ -255,7 +282,7 @@ fn averaged(grid: &Grid, mean: usize) -> [f64; 2] {
     };
     let value = |part: usize| {
         let angle = Step::new((part as f64 + 0.5) / MEAN_PARTS as f64 * (ANGLES - 1) as f64, ANGLES);
-        between(angle.of(&grid[row.at]), angle.of(&grid[row.at + 1]), row.share)
+        between(angle.of(rows[0]), angle.of(rows[1]), share)
     };
     let mean = (0..MEAN_PARTS).map(|part| value(part) * (edge(part + 1) - edge(part))).sum::<f64>();
     [mean, mean / (warp.alpha * warp.alpha)]

@@ -72,3 +72,34 @@ impl Slopes {
         hidden.min(1.0 / cosine_i)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_those_of_smith_s_lambda() {
+        // Λ = (−1 + √(1 + α²tan²θ))/2, from Walter and others 2007, equation 34: seen from one side 1/(1 + Λ); from both, given one,
+        // (1 + Λo)/(1 + Λo + Λi) where the heights are one surface's (Heitz 2014, equation 99).
+        for alpha in [0.01, 0.2, 0.7, 1.0f64] {
+            let slopes = Slopes { alpha };
+            let lambda = |cosine: f64| 0.5 * ((1.0 + alpha * alpha * (1.0 / (cosine * cosine) - 1.0)).sqrt() - 1.0);
+            for o in [0.02, 0.3, 0.8, 1.0] {
+                for i in [0.02, 0.3, 0.8, 1.0] {
+                    let expected = (1.0 + lambda(o)) / (1.0 + lambda(o) + lambda(i));
+                    let found = slopes.leaving_reflected(o, i);
+                    assert!((found - expected).abs() < 1e-12, "{alpha} {o} {i}: {found}, not {expected}");
+                    // Through the surface the more hidden way counts: min(G1(o), G1(i)) over G1(o).
+                    let expected = ((1.0 + lambda(o)) / (1.0 + lambda(i))).min(1.0);
+                    let found = slopes.leaving_refracted(o, i);
+                    assert!((found - expected).abs() < 1e-12, "{alpha} {o} {i}: {found} beyond, not {expected}");
+                }
+                // D(m)·G1/(4 cos) of m = z, where D is 1/(πα²).
+                let wo = DVec3::new((1.0 - o * o).sqrt(), 0.0, o);
+                let expected = 1.0 / (PI * alpha * alpha) / (1.0 + lambda(o)) / (4.0 * o);
+                let found = slopes.quarter_pdf(wo, DVec3::Z);
+                assert!((found / expected - 1.0).abs() < 1e-12, "{alpha} {o}: {found}, not {expected}");
+            }
+        }
+    }
+}

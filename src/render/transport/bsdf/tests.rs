@@ -240,3 +240,21 @@ fn nothing_comes_from_below_the_surface() {
         }
     }
 }
+
+#[test]
+fn a_coat_over_grey_reflects_what_the_series_below_it_says() {
+    // F of the coat; of the rest a(1 − I)/(1 − aI), I the mean share that the coat throws back from below: 1 − (1 − M)/n², M Walsh's
+    // mean from above (Saunderson 1942). M is 0.09178 of n = 1.5.
+    for albedo in [0.0, 0.2, 0.5, 0.9] {
+        let bsdf = Bsdf::new(&Kind::Plastic { ior: 1.5 }, DVec3::splat(albedo), 0.0, 1.0);
+        let inner = 1.0 - (1.0 - 0.091_777_96) / 2.25;
+        for cosine in [1.0, 0.6, 0.3] {
+            let wo = view(cosine);
+            let coat = fresnel::dielectric(cosine, 1.5);
+            let expected = coat + (1.0 - coat) * albedo * (1.0 - inner) / (1.0 - albedo * inner);
+            let [spread, mirrored] = sampled(&bsdf, wo);
+            let found = (spread.light + mirrored.light).x;
+            assert!((found - expected).abs() < 2e-3, "{albedo} {cosine}: {found}, not {expected}");
+        }
+    }
+}
