@@ -16,10 +16,10 @@ use crate::num::level::{Simd, for_each_level};
 use crate::num::number::Number;
 
 /// Sums of fewer terms are not worth it.
-const FEWEST: usize = 48;
+const FEWEST: usize = 32;
 
 /// What is left out may change by so much of the largest term: so little that squares of a few pixels still see how the rest leans.
-const LEFT_OUT: f64 = 0.01;
+const LEFT_OUT: f64 = 0.03;
 
 /// The terms of a function that is a long sum.
 pub(crate) struct Sum {

@@ -68,7 +68,9 @@ impl Place {
 
     /// The squares that a part of a rectangle is first looked at by.
     pub(crate) fn of(part: Rectangle, bundle: &Bundle) -> impl Iterator<Item = Place> + '_ {
-        let side = part.width.max(part.height).next_power_of_two().min(LARGEST);
+        let whole = part.width.max(part.height).next_power_of_two();
+        // A part of one square would leave lanes empty.
+        let side = if whole <= LARGEST { (whole / 4).max(1) } else { LARGEST };
         part.parts(side).map(move |place| {
             let corner = [part.left + place.left, part.top + place.top];
             Place { corner, side, first: bundle.first(corner) }

@@ -86,6 +86,32 @@ fn same(a: &Hit, b: &Hit, size: f64) -> bool {
     a.outcome == b.outcome && (a.t == b.t || near)
 }
 
+/// Sums of forty terms around random places, most of which do not change in most of space: Gaussians, waves, and others among
+/// them that have kinks, jumps, poles and edges.
+fn long_sums(random: &mut Random) -> Vec<String> {
+    let forms: [&[&str]; 4] = [
+        &["exp(-9*((x - A)^2 + (y - B)^2 + (z - C)^2))"],
+        &[
+            "exp(-9*((x - A)^2 + (y - B)^2 + (z - C)^2))",
+            "0.05*abs(x - B)",
+            "0.1*tanh(20*(y - A))",
+            "-0.02*floor(2*(z - C))",
+        ],
+        &["0.1*sin(A*9*x + B)*cos(C*7*z)", "0.01*(y - B)^3"],
+        &["0.5*exp(-9*((x - A)^2 + (y - B)^2))", "0.001/(z - C)", "0.01*sqrt(x + 2 + A/2)", "-0.05"],
+    ];
+    let mut sum = |terms: &[&str]| {
+        let terms: Vec<String> = (0..40)
+            .map(|k| {
+                let mut place = || format!("({:.3})", 2.4 * random.unit() - 1.2);
+                terms[k % terms.len()].replace('A', &place()).replace('B', &place()).replace('C', &place())
+            })
+            .collect();
+        format!("{} = 0.6", terms.join(" + "))
+    };
+    forms.iter().map(|terms| sum(terms)).collect()
+}
+
 /// All scenes and formulas, seen from random places.
 fn all_cases(random: &mut Random) -> Vec<Case> {
     let table: toml::Table = include_str!("../data/scenes.toml").parse().unwrap();
@@ -104,7 +130,8 @@ fn all_cases(random: &mut Random) -> Vec<Case> {
     }
     let ball = Shape::Ball { center: DVec3::new(0.1, 0.0, -0.1), radius: 2.5 };
     let cube = Shape::Box { min: DVec3::new(-1.5, -1.7, -2.0), max: DVec3::new(1.9, 1.5, 1.4) };
-    for formula in FORMULAS {
+    let sums = long_sums(random);
+    for formula in FORMULAS.iter().copied().chain(sums.iter().map(String::as_str)) {
         cases.extend([ball, cube].map(|shape| case(formula, shape, random)));
     }
     cases
