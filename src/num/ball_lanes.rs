@@ -213,7 +213,8 @@ impl<const N: usize> Number for BallLanes<N> {
         for i in 0..N {
             let ((a, r), (b, s)) = (a.at(i), b.at(i));
             let c = func::div(a, b);
-            let (left, away) = (L::fma(c.abs(), s, r), b.abs() - s * GROWN);
+            // Divided by what is tiny, an underflow would not be.
+            let (left, away) = (L::fma(c.abs(), s, r + TINY), b.abs() - s * GROWN);
             out.set(i, (c, known_if(away > 0.0, around::<L>(c, left / away, 1.0))));
         }
     }
@@ -223,7 +224,7 @@ impl<const N: usize> Number for BallLanes<N> {
         for i in 0..N {
             let ((a, r), (b, s), n) = (a.at(i), b.at(i), n as f64);
             let c = n * a / b;
-            let (left, away) = (L::fma(c.abs(), s, n * r), b.abs() - s * GROWN);
+            let (left, away) = (L::fma(c.abs(), s, L::fma(n, r, TINY)), b.abs() - s * GROWN);
             let r = around::<L>(c, left / away, 4.0);
             let is_known = (away > 0.0) & ((c - r).floor() == (c + r).floor());
             out.set(i, (func::floor_div::<L>(n, a, b), known_if(is_known, 0.0)));
