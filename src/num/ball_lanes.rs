@@ -187,7 +187,7 @@ impl<const N: usize> Number for BallLanes<N> {
         erf(), bound::ERF, |c, v, r| 1.13 * r;
         power(n: i64), 2.0, |c, v, r| {
             let m = n.unsigned_abs() as f64 * relative(c, r);
-            v.abs() * known_if(m <= SMALL, grown(m))
+            v.abs() * known_if((m <= SMALL) & (n.unsigned_abs() <= bound::MOST_POWER), grown(m))
         };
         root(n: u32), bound::POW, |c, v, r| v.abs() * grown(relative(c, r));
     }
