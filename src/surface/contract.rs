@@ -13,7 +13,9 @@
 //! g' costs as much again as g or more, so it is looked at only where g has opposite signs at both ends or moves away from zero, and where a ray
 //! leaves a surface.
 
-use super::isolate::{CellFiles, Found, MOST_SLABS, Open, Pool, Rays, Verdict, Walker, place};
+use super::isolate::{
+    CellFiles, Found, MOST_SLABS, Open, PER_DISTANCE, PER_ORIGIN, Pool, Rays, Verdict, Walker, place,
+};
 use super::kernels::Formula;
 use super::sheet::{CELLS, Cells, RayForms};
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
@@ -162,8 +164,6 @@ for_each_level! {
     fn place_along[L](
         origin: &[[f64; CELLS]; 3], direction: &[[f64; CELLS]; 3], a: &[f64; CELLS], b: &[f64; CELLS], forms: &mut [RayForms],
     ) {
-        const PER_DISTANCE: f64 = 1.0 / (1u64 << 50) as f64;
-        const PER_ORIGIN: f64 = 1.0 / (1u64 << 52) as f64;
         for axis in 0..3 {
             let (o, d) = (&origin[axis], &direction[axis]);
             let form = &mut forms[axis];
