@@ -44,8 +44,9 @@ const MARGIN: f64 = 1e-8;
 /// A slab that is contracted to less than this part is looked at again; else it is halved.
 const CONTRACTED: f64 = 0.7;
 
-/// A factor that outweighs the roundings of a radius.
+/// Factors that outweigh the roundings of a radius.
 const WIDER: f64 = 1.0 + 1e-12;
+const NARROWER: f64 = 1.0 - 1e-12;
 
 /// The register files of a sheet's forms along rays.
 pub(crate) struct RayFiles {
@@ -209,7 +210,7 @@ impl Look {
         let smooth = flags & (PARTIAL | JUMP) == 0;
         // NaN says nothing in all of these.
         let per = 1.0 / s;
-        let (at, half) = (-c * per, (radius - s.abs() * (1.0 - 1e-12)) * per.abs());
+        let (at, half) = (-c * per, (radius - s.abs() * NARROWER) * per.abs());
         let margin = MARGIN * (1.0 + at.abs() + half);
         let (from, to) = (at - half - margin, at + half + margin);
         let slack = b * (4.0 * f64::EPSILON);
