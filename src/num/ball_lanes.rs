@@ -187,7 +187,7 @@ impl<const N: usize> Number for BallLanes<N> {
         erf(), bound::ERF, |c, v, r| 1.13 * r;
         power(n: i64), 2.0, |c, v, r| {
             let m = n.unsigned_abs() as f64 * relative(c, r);
-            v.abs() * known_if(m <= SMALL, grown(m))
+            v.abs() * known_if((m <= SMALL) & (n.unsigned_abs() <= bound::MOST_POWER), grown(m))
         };
         root(n: u32), bound::POW, |c, v, r| v.abs() * grown(relative(c, r));
     }
@@ -213,7 +213,8 @@ impl<const N: usize> Number for BallLanes<N> {
         for i in 0..N {
             let ((a, r), (b, s)) = (a.at(i), b.at(i));
             let c = func::div(a, b);
-            let (left, away) = (L::fma(c.abs(), s, r), b.abs() - s * GROWN);
+            // Divided by what is tiny, an underflow would not be.
+            let (left, away) = (L::fma(c.abs(), s, r + TINY), b.abs() - s * GROWN);
             out.set(i, (c, known_if(away > 0.0, around::<L>(c, left / away, 1.0))));
         }
     }
@@ -223,7 +224,7 @@ impl<const N: usize> Number for BallLanes<N> {
         for i in 0..N {
             let ((a, r), (b, s), n) = (a.at(i), b.at(i), n as f64);
             let c = n * a / b;
-            let (left, away) = (L::fma(c.abs(), s, n * r), b.abs() - s * GROWN);
+            let (left, away) = (L::fma(c.abs(), s, L::fma(n, r, TINY)), b.abs() - s * GROWN);
             let r = around::<L>(c, left / away, 4.0);
             let is_known = (away > 0.0) & ((c - r).floor() == (c + r).floor());
             out.set(i, (func::floor_div::<L>(n, a, b), known_if(is_known, 0.0)));

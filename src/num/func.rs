@@ -58,8 +58,10 @@ pub mod bound {
     pub const ERF: f64 = 1.1;
     /// a^b and odd roots.
     pub const POW: f64 = 0.7;
-    /// a^n for |n| ≤ 2^40.
+    /// a^n for |n| ≤ [`MOST_POWER`].
     pub const POWER: f64 = 0.6;
+    /// Up to this exponent [`POWER`] holds.
+    pub const MOST_POWER: u64 = 1 << 40;
 
     /// How many f64 outward of a computed end lie both the exact value there and whatever is computed at other
     /// points of a box. Computed points miss their exact values by E ulp as well, so that 2·E must be covered; both

@@ -1,6 +1,6 @@
 //! The operations as the tests of this folder try them.
 //!
-//! In: nothing. Out: one row an operation: on arrays of points, of intervals, of forms, on one enclosure, and the
+//! In: nothing. Out: one row an operation: on arrays of points, of balls, of intervals, of forms, on one enclosure, and the
 //! correctly rounded value. Separate because several tests walk the same table; compiled for tests alone.
 
 use super::affine_lanes::AffineLanes;

@@ -155,7 +155,8 @@ impl Plan {
         paint(&mut scene, &mut program.lowered, &objects, &smallest(&region), settings.mode, wishes.simd);
         let formulas: Vec<&SurfaceFormula> = objects.iter().map(|object| &object.formula).collect();
         let mut notes = matter::furnish(&mut scene, &mut program.lowered, &formulas, wishes.simd);
-        scene.tighten(|surface, cubes, cells| objects[surface].prover().classify(cubes, cells));
+        let provers: Vec<Prover> = objects.iter().map(Object::prover).collect();
+        scene.tighten(|surface, cubes, cells| provers[surface].classify(cubes, cells));
         notes.extend(without_use(program, wishes, settings.mode));
         let method = match wishes.method {
             Method::Faithful => surface::Method::Faithful,

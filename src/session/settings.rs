@@ -87,8 +87,8 @@ fn background(written: lower::Background) -> Background {
 /// What is wrong with it.
 pub fn read_background(text: &str) -> Result<Background, String> {
     let other = || "write a name, #rrggbb, rgb(1, 0.5, 0), transparent or sky".to_owned();
-    // One value: nothing that ends the entry, the block or the statement, and no comment.
-    if text.contains(['{', '}', ';', '"', '\n', '\r']) || text.contains("//") {
+    // One value: nothing that ends the entry, the block or the statement or names another entry, and no comment.
+    if text.contains(['{', '}', ':', ';', '"', '\n', '\r']) || text.contains("//") {
         return Err(other());
     }
     let program = Program::from_text(&format!("render {{ background: {} }}", text.trim()));

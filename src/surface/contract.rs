@@ -13,7 +13,9 @@
 //! g' costs as much again as g or more, so it is looked at only where g has opposite signs at both ends or moves away from zero, and where a ray
 //! leaves a surface.
 
-use super::isolate::{CellFiles, Found, MOST_SLABS, Open, Pool, Rays, Verdict, Walker, place};
+use super::isolate::{
+    CellFiles, Found, MOST_SLABS, Open, PER_DISTANCE, PER_ORIGIN, Pool, Rays, Verdict, Walker, place,
+};
 use super::kernels::Formula;
 use super::sheet::{CELLS, Cells, RayForms};
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
@@ -42,8 +44,9 @@ const MARGIN: f64 = 1e-8;
 /// A slab that is contracted to less than this part is looked at again; else it is halved.
 const CONTRACTED: f64 = 0.7;
 
-/// A factor that outweighs the roundings of a radius.
+/// Factors that outweigh the roundings of a radius.
 const WIDER: f64 = 1.0 + 1e-12;
+const NARROWER: f64 = 1.0 - 1e-12;
 
 /// The register files of a sheet's forms along rays.
 pub(crate) struct RayFiles {
@@ -162,8 +165,6 @@ for_each_level! {
     fn place_along[L](
         origin: &[[f64; CELLS]; 3], direction: &[[f64; CELLS]; 3], a: &[f64; CELLS], b: &[f64; CELLS], forms: &mut [RayForms],
     ) {
-        const PER_DISTANCE: f64 = 1.0 / (1u64 << 50) as f64;
-        const PER_ORIGIN: f64 = 1.0 / (1u64 << 52) as f64;
         for axis in 0..3 {
             let (o, d) = (&origin[axis], &direction[axis]);
             let form = &mut forms[axis];
@@ -209,7 +210,7 @@ impl Look {
         let smooth = flags & (PARTIAL | JUMP) == 0;
         // NaN says nothing in all of these.
         let per = 1.0 / s;
-        let (at, half) = (-c * per, (radius - s.abs() * (1.0 - 1e-12)) * per.abs());
+        let (at, half) = (-c * per, (radius - s.abs() * NARROWER) * per.abs());
         let margin = MARGIN * (1.0 + at.abs() + half);
         let (from, to) = (at - half - margin, at + half + margin);
         let slack = b * (4.0 * f64::EPSILON);

@@ -3,9 +3,10 @@
 //! In: slabs on which g is strictly monotone. Out: roots, each with a proof that g changes sign within
 //! [`WIDTH`] of it; slabs proven to hold no root; and what could not be proven, for [`super::careful`].
 //!
-//! Newton runs on points, 64 rays at once: it may be wrong and nobody is harmed. The proof is two enclosures of
-//! g at single points, in front of the root and behind it: g is monotone, so opposite signs there mean
-//! exactly one root between them and none elsewhere in the slab, and equal signs at both ends mean none at all.
+//! Newton runs on points, 64 rays at once: it may be wrong and nobody is harmed. Where a slab is known to hold a root, the proof is one
+//! enclosure of g at the result: over the least slope it is how far the root can be. Else it is two, in front of the result and
+//! behind it: g is monotone, so opposite signs there mean exactly one root between them and none elsewhere in
+//! the slab, and equal signs at both ends mean none at all.
 
 use super::bundle::Asked;
 use super::isolate::{Bracket, Rays, place};

@@ -404,10 +404,13 @@ for_each_level! {
             [&stream.t, &stream.near, &stream.far, &stream.beyond].map(|column| part(column, 0));
         let [moved, steepness, front]: [&[f64; POINTS]; 3] =
             [&stream.moved, &stream.steepness, &stream.front].map(|column| part(column, 0));
+        let [a, b]: [&[f64; POINTS]; 2] = [&stream.a, &stream.b].map(|column| part(column, 0));
         for i in 0..POINTS {
+            // The bracket was taken wider than what the slope is known of, and what is left out may be a jump.
+            let is_inside = (t[i] > a[i] * LENGTHENED) & (t[i] < b[i] * SHORTENED);
             let off = g.hi[i].max(-g.lo[i]) / steepness[i];
             let width = WIDTH * if t[i] > size { t[i] } else { size };
-            let known = g.is_whole[i] & (off <= width) & (moved[i] == 0.0);
+            let known = g.is_whole[i] & is_inside & (off <= width) & (moved[i] == 0.0);
             let sign = if g.lo[i] > 0.0 { 1.0 } else { 0.0 } - if g.hi[i] < 0.0 { 1.0 } else { 0.0 };
             certified.width[i] = if known { width } else { f64::NAN };
             certified.is_hit[i] = known & (beyond[i] == 0.0) & (t[i] >= near[i]) & (t[i] <= far[i]);

@@ -46,6 +46,7 @@ const ROWS: &[(&str, i32, &str)] = &[
     ("x^2+y^2+z^2=1|-o|a.png|--background|rgb(2, 0, 0)", 2, "lies between 0 and 1"),
     ("x^2+y^2+z^2=1|-o|a.png|--background|red } render { size: 1x1", 2, "write a name, #rrggbb, rgb(1, 0.5, 0)"),
     ("x^2+y^2+z^2=1|-o|a.png|--background|blu", 2, "there is no colour `blu`; did you mean `blue`?"),
+    ("x^2+y^2+z^2=1|-o|a.png|--background|red, mode: path", 2, "write a name, #rrggbb, rgb(1, 0.5, 0), transparent"),
     ("x^2+y^2+z^2=1|-o|a.png|--filter|box", 2, "mode studio makes no use of --filter; `path`, `light`"),
     ("x^2+y^2+z^2=1; render { filter: box }|-o|a.png|-s|8x6", 0, "makes no use of `filter`"),
     ("x^2+y^2+z^2=1; render { filter: box }|-o|a.png|--strict", 1, "makes no use of `filter`"),

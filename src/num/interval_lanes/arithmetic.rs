@@ -305,8 +305,8 @@ pub(super) fn power<L: Level, const N: usize>(a: &IntervalLanes<N>, n: i64, out:
         odd[i] = word(!((lo.abs() < f64::INFINITY) & (hi.abs() < f64::INFINITY))) | vanished | crossing;
     }
     out.flags = a.flags;
-    if any(&odd) || n.unsigned_abs() > CERTAIN {
-        if n.unsigned_abs() > CERTAIN {
+    if any(&odd) || n.unsigned_abs() > bound::MOST_POWER {
+        if n.unsigned_abs() > bound::MOST_POWER {
             odd = [u64::MAX; N];
         }
         repair(a, out, &odd, |e| e.power(n));
@@ -315,9 +315,6 @@ pub(super) fn power<L: Level, const N: usize>(a: &IntervalLanes<N>, n: i64, out:
 
 /// Results below this may have lost more than a rounding.
 const TINY: f64 = 1e-290;
-
-/// Up to this exponent the error bound of [`func::power`] holds.
-const CERTAIN: u64 = 1 << 40;
 
 #[inline(always)]
 fn raise<L: Level, const N: usize>(x: &mut [f64; N], n: i64, plain: bool) {

@@ -1,4 +1,4 @@
-//! Rays one by one: what of each is open is settled by intervals, with the part of the formula that matters there.
+//! Rays one by one: what of each is open is settled by forms and intervals, with the part of the formula that matters there.
 //!
 //! In: open rays. Out: their hits. Separate from the door because it knows no picture.
 
