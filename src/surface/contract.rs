@@ -18,6 +18,7 @@ use super::isolate::{
 };
 use super::kernels::Formula;
 use super::sheet::{CELLS, Cells, RayForms};
+use super::tile::{NARROWER, WIDER};
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
 use crate::num::level::{Level, for_each_level};
 
@@ -43,10 +44,6 @@ const MARGIN: f64 = 1e-8;
 
 /// A slab that is contracted to less than this part is looked at again; else it is halved.
 const CONTRACTED: f64 = 0.7;
-
-/// Factors that outweigh the roundings of a radius.
-const WIDER: f64 = 1.0 + 1e-12;
-const NARROWER: f64 = 1.0 - 1e-12;
 
 /// The register files of a sheet's forms along rays.
 pub(crate) struct RayFiles {

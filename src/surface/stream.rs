@@ -217,7 +217,7 @@ impl Stream {
         let unclear =
             all & bound(tools.simd, self, tools.size, tools.formula.ball().output(tools.balls, 0), &mut known);
         for first in (0..count).step_by(CELLS).filter(|first| unclear >> first & ((1 << CELLS) - 1) != 0) {
-            self.enclose(tools, first, &mut known);
+            self.enclose(tools, first, unclear >> first, &mut known);
         }
         let mut certified = Certified { width: [0.0; POINTS], is_hit: [false; POINTS], is_beyond: [false; POINTS] };
         judge(tools.simd, self, tools.size, &known, &mut certified);
@@ -232,19 +232,18 @@ impl Stream {
         }
     }
 
-    /// Encloses g by intervals where some rays stand.
+    /// Encloses g by intervals where some rays stand, of which a mask says for which that is needed.
     #[cold]
-    fn enclose(&mut self, tools: &mut Tools, first: usize, known: &mut Known) {
+    fn enclose(&mut self, tools: &mut Tools, first: usize, unclear: u64, known: &mut Known) {
         let [origin, direction] = [&self.origin, &self.direction].map(|all| all.each_ref().map(|one| part(one, first)));
         let t = part(&self.t, first);
         place(tools.simd, origin, direction, t, t, tools.cells);
         tools.formula.value().run(tools.cells);
         tools.enclosures += CELLS as u64;
         let g = tools.formula.value().output(tools.cells, 0);
-        known.lo[first..first + CELLS].copy_from_slice(&g.lo);
-        known.hi[first..first + CELLS].copy_from_slice(&g.hi);
-        for (is_whole, flags) in known.is_whole[first..].iter_mut().zip(g.flags) {
-            *is_whole = flags & PARTIAL == 0;
+        for lane in (0..CELLS).filter(|lane| unclear >> lane & 1 != 0) {
+            let i = first + lane;
+            (known.lo[i], known.hi[i], known.is_whole[i]) = (g.lo[lane], g.hi[lane], g.flags[lane] & PARTIAL == 0);
         }
     }
 

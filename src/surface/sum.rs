@@ -4,7 +4,7 @@
 //! slabs, a [`Share`] for each: the terms that change there, and bounds of what the others come to. A share is for enclosures alone; points
 //! take all terms. Separate from minima, of which the arguments that do not matter leave nothing behind.
 
-use super::tile::{FORMS, FormFiles, Forms};
+use super::tile::{FORMS, FormFiles, Forms, WIDER};
 use crate::closure::shorten::{Shortener, numbers};
 use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::along_ray;
@@ -119,7 +119,7 @@ impl Sum {
         self.run(share, true, files, simd);
         let sum = &files.sums[0];
         for lane in 0..FORMS {
-            let radius = sum.radius(lane) * (1.0 + 1e-12);
+            let radius = sum.radius(lane) * WIDER;
             weighed.is_empty[lane] = sum.center[lane].abs() > radius || sum.flags[lane] & NOWHERE != 0;
         }
         weighed.terms.extend(share.live.iter().map(|&k| {

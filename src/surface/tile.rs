@@ -40,6 +40,10 @@ const BENT: f64 = 0.6;
 /// A slab longer than this many widths of its square is halved, a shorter one cut into squares.
 const LONG: f64 = 3.0;
 
+/// What a few sums and products of forms' numbers may be off by, far more than they are.
+pub(crate) const WIDER: f64 = 1.0 + 1e-12;
+pub(crate) const NARROWER: f64 = 1.0 - 1e-12;
+
 /// How much a contracted slab is left wider than it must be, in half slabs: far more than its sums round off.
 const MARGIN: f64 = 1e-6;
 
@@ -400,12 +404,12 @@ for_each_level! {
         for i in 0..FORMS {
             let (c, slope, radius) = (g.center[i], g.slope[2][i], g.radius(i));
             let smooth = g.flags[i] & (PARTIAL | JUMP) == 0;
-            let is_empty = (c.abs() > radius * (1.0 + 1e-12)) | (g.flags[i] & NOWHERE != 0);
+            let is_empty = (c.abs() > radius * WIDER) | (g.flags[i] & NOWHERE != 0);
             let along = slope.abs();
             let lean = g.slope[0][i].abs() + g.slope[1][i].abs();
             let bent = radius - lean - along;
             let is_leaning = smooth & (along > 0.0) & (bent < BENT * along) & (lean < MOST_GROWTH * along);
-            let (middle, half) = (-c / slope, (radius - along * (1.0 - 1e-12)) / along);
+            let (middle, half) = (-c / slope, (radius - along * NARROWER) / along);
             let margin = MARGIN * (1.0 + middle.abs() + half);
             let of = if is_empty { c } else { slope };
             let sign = if of < 0.0 { -1.0 } else { 1.0 };
