@@ -4,28 +4,16 @@
 //! t of the bracket is within |g(t)| / steepness of the root (mean value theorem), so that an enclosure of g at t alone
 //! proves how near it is: a ball, or where that says too little an interval. Separate from [`super::refine`], which knows less of its brackets and must look at both sides.
 
+mod certificate;
+mod newton;
+
 use super::bundle::{BEYOND, Bundle, LENGTHENED, PLACES, SHORTENED, Spans};
-use super::isolate::{PER_DISTANCE, PER_ORIGIN, place};
 use super::kernels::Formula;
-use super::refine::{WIDTH, points_at};
-use super::sheet::{Balls, CELLS, Cells, POINTS, Points};
+use super::refine::points_at;
+use super::sheet::{Balls, Cells, POINTS, Points};
 use super::tile::Crossing;
-use crate::num::interval_lanes::PARTIAL;
-use crate::num::level::{Level, Simd, for_each_level};
-
-/// A step not longer than this part of the scale is the last: the next is its square.
-const CONVERGED: f64 = 2e-6;
-
-/// How much shorter the only step must be, for the normal is that of its beginning.
-const ALONE: f64 = 20.0;
-
-/// A step by two points is the last where the term of highest order is not longer than this part of the scale: the terms that
-/// are missing are smaller still.
-const LAST_TERM: f64 = 1e-10;
-
-/// What that step and the one before may come to, multiplied, as a part of the scale's square: so much a gradient
-/// that is carried on in a straight line is off.
-const STRAIGHT: f64 = 2e-7;
+use crate::num::level::{Simd, for_each_level};
+use certificate::{Certified, certify};
 
 /// Steps after which the rest is left to single rays.
 const MOST_STEPS: usize = 5;
@@ -142,25 +130,6 @@ pub(crate) struct Tools<'a> {
     pub(crate) enclosures: u64,
 }
 
-/// What g is at least and at most where each ray stands, and whether that is worth anything.
-#[derive(Debug)]
-struct Known {
-    lo: [f64; POINTS],
-    hi: [f64; POINTS],
-    is_whole: [bool; POINTS],
-}
-
-/// What that says of each ray.
-#[derive(Debug)]
-struct Certified {
-    /// How far the root can be; NaN if that could not be told.
-    width: [f64; POINTS],
-    /// Whether the ray reaches its root.
-    is_hit: [bool; POINTS],
-    /// Whether the root is beyond the ray's end or beginning, which was asked.
-    is_beyond: [bool; POINTS],
-}
-
 /// N numbers of a column from some place on.
 #[inline(always)]
 fn part<const N: usize>(column: &[f64], first: usize) -> &[f64; N] {
@@ -182,7 +151,7 @@ impl Stream {
     /// Finds the roots of all rays that wait.
     fn run(&mut self, tools: &mut Tools, sink: &mut impl Sink) {
         let count = std::mem::take(&mut self.count);
-        let mut live = begin(tools.simd, self, tools.size, count);
+        let mut live = newton::begin(tools.simd, self, tools.size, count);
         for number in 0..MOST_STEPS {
             if live == 0 {
                 break;
@@ -192,11 +161,11 @@ impl Stream {
             tools.formula.gradient().run(tools.gradient);
             tools.evaluations += live;
             let [g, x, y, z] = [0, 1, 2, 3].map(|k| &tools.formula.gradient().output(tools.gradient, k).0);
-            let take_step = if number == 0 { first_step } else { step };
+            let take_step = if number == 0 { newton::first_step } else { newton::step };
             live = take_step(tools.simd, self, g, [x, y, z]);
         }
-        face(tools.simd, self);
-        self.certify(tools, count, sink);
+        newton::face(tools.simd, self);
+        self.file(tools, count, sink);
     }
 
     /// Finds the roots of all rays that wait, and of those that wait once more.
@@ -206,21 +175,9 @@ impl Stream {
         }
     }
 
-    /// Encloses g where Newton's method ended, or where the ray does. Rays that were wrongly thought to end before their root wait again.
-    fn certify(&mut self, tools: &mut Tools, count: usize, sink: &mut impl Sink) {
-        let [origin, direction] = [&self.origin, &self.direction].map(|all| all.each_ref().map(|one| part(one, 0)));
-        balls_at(tools.simd, origin, direction, part(&self.t, 0), tools.balls);
-        tools.formula.ball().run(tools.balls);
-        tools.enclosures += count as u64;
-        let mut known = Known { lo: [0.0; POINTS], hi: [0.0; POINTS], is_whole: [true; POINTS] };
-        let all = u64::MAX >> (POINTS - count);
-        let unclear =
-            all & bound(tools.simd, self, tools.size, tools.formula.ball().output(tools.balls, 0), &mut known);
-        for first in (0..count).step_by(CELLS).filter(|first| unclear >> first & ((1 << CELLS) - 1) != 0) {
-            self.enclose(tools, first, unclear >> first, &mut known);
-        }
-        let mut certified = Certified { width: [0.0; POINTS], is_hit: [false; POINTS], is_beyond: [false; POINTS] };
-        judge(tools.simd, self, tools.size, &known, &mut certified);
+    /// Tells what is proven of each ray. Rays that were wrongly thought to end before their root wait again.
+    fn file(&mut self, tools: &mut Tools, count: usize, sink: &mut impl Sink) {
+        let certified = certify(self, tools, count);
         for i in 0..count {
             let (place, cost) = (self.place[i] as usize, self.cost[i]);
             if certified.is_hit[i] {
@@ -229,21 +186,6 @@ impl Stream {
             } else {
                 self.other(i, &certified, sink);
             }
-        }
-    }
-
-    /// Encloses g by intervals where some rays stand, of which a mask says for which that is needed.
-    #[cold]
-    fn enclose(&mut self, tools: &mut Tools, first: usize, unclear: u64, known: &mut Known) {
-        let [origin, direction] = [&self.origin, &self.direction].map(|all| all.each_ref().map(|one| part(one, first)));
-        let t = part(&self.t, first);
-        place(tools.simd, origin, direction, t, t, tools.cells);
-        tools.formula.value().run(tools.cells);
-        tools.enclosures += CELLS as u64;
-        let g = tools.formula.value().output(tools.cells, 0);
-        for lane in (0..CELLS).filter(|lane| unclear >> lane & 1 != 0) {
-            let i = first + lane;
-            (known.lo[i], known.hi[i], known.is_whole[i]) = (g.lo[lane], g.hi[lane], g.flags[lane] & PARTIAL == 0);
         }
     }
 
@@ -356,180 +298,5 @@ for_each_level! {
             taken += lanes;
         }
         taken
-    }
-}
-
-for_each_level! {
-    /// Puts balls around the points at distance t on each ray into the registers of the coordinates: see [`place`].
-    fn balls_at[L](
-        origin: [&[f64; POINTS]; 3], direction: [&[f64; POINTS]; 3], t: &[f64; POINTS], balls: &mut [Balls],
-    ) {
-        for axis in 0..3 {
-            let (o, d) = (origin[axis], direction[axis]);
-            let ball = &mut balls[axis];
-            for i in 0..POINTS {
-                ball.center.0[i] = L::fma(t[i], d[i], o[i]);
-                let radius = L::fma(t[i], PER_DISTANCE, o[i].abs() * PER_ORIGIN);
-                ball.radius.0[i] = if t[i] > 0.0 { radius } else { 0.0 };
-            }
-        }
-    }
-}
-
-for_each_level! {
-    /// The bounds of g by its balls. Says, a bit each, for which rays that is too little. There is a value: g is defined all along each
-    /// ray's bracket.
-    fn bound[L](stream: &Stream, size: f64, g: &Balls, known: &mut Known) -> u64 {
-        let mut unclear = 0;
-        let (t, steepness): (&[f64; POINTS], &[f64; POINTS]) = (part(&stream.t, 0), part(&stream.steepness, 0));
-        for i in 0..POINTS {
-            let (center, radius) = (g.center.0[i], g.radius.0[i]);
-            let scale = if t[i] > size { t[i] } else { size };
-            let is_narrow = radius <= 0.5 * WIDTH * scale * steepness[i];
-            // Room for one more rounding each.
-            let radius = L::fma(center.abs(), f64::EPSILON, radius);
-            known.lo[i] = center - radius;
-            known.hi[i] = center + radius;
-            unclear |= u64::from(!is_narrow) << i;
-        }
-        unclear
-    }
-}
-
-for_each_level! {
-    /// Judges the rays by what is known of g where each stands.
-    fn judge[L](stream: &Stream, size: f64, g: &Known, certified: &mut Certified) {
-        let [t, near, far, beyond]: [&[f64; POINTS]; 4] =
-            [&stream.t, &stream.near, &stream.far, &stream.beyond].map(|column| part(column, 0));
-        let [moved, steepness, front]: [&[f64; POINTS]; 3] =
-            [&stream.moved, &stream.steepness, &stream.front].map(|column| part(column, 0));
-        let [a, b]: [&[f64; POINTS]; 2] = [&stream.a, &stream.b].map(|column| part(column, 0));
-        for i in 0..POINTS {
-            // The bracket was taken wider than what the slope is known of, and what is left out may be a jump.
-            let is_inside = (t[i] > a[i] * LENGTHENED) & (t[i] < b[i] * SHORTENED);
-            let off = g.hi[i].max(-g.lo[i]) / steepness[i];
-            let width = WIDTH * if t[i] > size { t[i] } else { size };
-            let known = g.is_whole[i] & is_inside & (off <= width) & (moved[i] == 0.0);
-            let sign = if g.lo[i] > 0.0 { 1.0 } else { 0.0 } - if g.hi[i] < 0.0 { 1.0 } else { 0.0 };
-            certified.width[i] = if known { width } else { f64::NAN };
-            certified.is_hit[i] = known & (beyond[i] == 0.0) & (t[i] >= near[i]) & (t[i] <= far[i]);
-            certified.is_beyond[i] = g.is_whole[i] & (sign == front[i] * beyond[i]);
-        }
-    }
-}
-
-for_each_level! {
-    /// Makes the first rays ready to step, and says how many of them have to.
-    fn begin[L](stream: &mut Stream, size: f64, count: usize) -> u64 {
-        let mut live = 0;
-        for i in 0..POINTS {
-            let t = stream.t[i];
-            stream.scale[i] = if t > size { t } else { size };
-            let is_live = (i < count) & (stream.beyond[i] == 0.0);
-            stream.moved[i] = if is_live { 1.0 } else { 0.0 };
-            live += u64::from(is_live);
-        }
-        live
-    }
-}
-
-for_each_level! {
-    /// The first step in all rays, of which it says how many are left: Newton's, bent by what the second derivative is about. The gradient is that of where it began.
-    fn first_step[L](stream: &mut Stream, g: &[f64; POINTS], gradient: [&[f64; POINTS]; 3]) -> u64 {
-        let mut left = 0;
-        for i in 0..POINTS {
-            let live = stream.moved[i] > 0.0;
-            let (t, scale) = (stream.t[i], stream.scale[i]);
-            let inverse = 1.0 / slope::<L>(stream, gradient, i);
-            let newton = -g[i] * inverse;
-            let bend = -0.5 * stream.curvature[i] * inverse * newton * newton;
-            let next = t + newton + if bend.abs() < 0.5 * newton.abs() { bend } else { 0.0 };
-            let next = if next > stream.a[i] { next } else { stream.a[i] };
-            let next = if next < stream.b[i] { next } else { stream.b[i] };
-            let stride = next - t;
-            for k in 0..3 {
-                stream.here[k][i] = gradient[k][i];
-                stream.gradient[k][i] = gradient[k][i];
-            }
-            // Nothing is known of how the gradient changes after one step alone, which must be the shorter.
-            let done = ALONE * stride.abs() <= CONVERGED * scale;
-            stream.t[i] = if live { next } else { t };
-            stream.stride[i] = stride;
-            stream.value[i] = g[i];
-            stream.inverse[i] = inverse;
-            let moved = if live & !done { stride.abs() } else { 0.0 };
-            stream.moved[i] = moved;
-            left += u64::from(moved > 0.0);
-        }
-        left
-    }
-}
-
-for_each_level! {
-    /// A further step in all rays that are not done, of which it says how many are left: by the cubic in g that has values and slopes
-    /// of t(g) at the last two points (inverse Hermite interpolation; Traub, Iterative Methods for the Solution of
-    /// Equations, 1964, chapter 4). The gradient is carried on to where the step leads by what it changed over the step before.
-    fn step[L](stream: &mut Stream, g: &[f64; POINTS], gradient: [&[f64; POINTS]; 3]) -> u64 {
-        let mut left = 0;
-        for i in 0..POINTS {
-            let live = stream.moved[i] > 0.0;
-            let (t, scale, before) = (stream.t[i], stream.scale[i], stream.stride[i]);
-            let inverse = 1.0 / slope::<L>(stream, gradient, i);
-            let newton = -g[i] * inverse;
-            // Newton's divided differences at g, g, g before, g before.
-            let span = 1.0 / (stream.value[i] - g[i]);
-            let chord = -before * span;
-            let second = (chord - inverse) * span;
-            let third = ((stream.inverse[i] - chord) * span - second) * span;
-            let square = g[i] * g[i];
-            let last = third * square * stream.value[i];
-            let bend = L::fma(second, square, -last);
-            let cubic = bend.abs() < 0.5 * newton.abs();
-            let next = t + newton + if cubic { bend } else { 0.0 };
-            let next = if next > stream.a[i] { next } else { stream.a[i] };
-            let next = if next < stream.b[i] { next } else { stream.b[i] };
-            let stride = next - t;
-            let ahead = stride / before;
-            let ahead = if ahead.abs() < 1.0 { ahead } else { 0.0 };
-            for k in 0..3 {
-                let here = gradient[k][i];
-                let carried = L::fma(here - stream.here[k][i], ahead, here);
-                stream.gradient[k][i] = if live { carried } else { stream.gradient[k][i] };
-                stream.here[k][i] = here;
-            }
-            let straight = (stride * before).abs() <= STRAIGHT * scale * scale;
-            let done = (stride.abs() <= CONVERGED * scale) | (cubic & straight & (last.abs() <= LAST_TERM * scale));
-            stream.t[i] = if live { next } else { t };
-            stream.stride[i] = stride;
-            stream.value[i] = g[i];
-            stream.inverse[i] = inverse;
-            let moved = if live & !done { stride.abs() } else { 0.0 };
-            stream.moved[i] = moved;
-            left += u64::from(moved > 0.0);
-        }
-        left
-    }
-}
-
-/// The derivative of g along ray i.
-#[inline(always)]
-fn slope<L: Level>(stream: &Stream, [x, y, z]: [&[f64; POINTS]; 3], i: usize) -> f64 {
-    let [dx, dy, dz] = &stream.direction;
-    L::fma(x[i], dx[i], L::fma(y[i], dy[i], z[i] * dz[i]))
-}
-
-for_each_level! {
-    /// Gradients become normals that face where the rays come from.
-    fn face[L](stream: &mut Stream) {
-        for i in 0..POINTS {
-            let (x, y, z) = (stream.gradient[0][i], stream.gradient[1][i], stream.gradient[2][i]);
-            let (dx, dy, dz) = (stream.direction[0][i], stream.direction[1][i], stream.direction[2][i]);
-            let along = L::fma(x, dx, L::fma(y, dy, z * dz));
-            let length = L::fma(x, x, L::fma(y, y, z * z)).sqrt();
-            let size = if length < f64::INFINITY { 1.0 / length } else { f64::NAN };
-            let scale = if along > 0.0 { -size } else { size };
-            stream.flipped[i] = along;
-            (stream.gradient[0][i], stream.gradient[1][i], stream.gradient[2][i]) = (x * scale, y * scale, z * scale);
-        }
     }
 }
