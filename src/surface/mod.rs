@@ -4,7 +4,7 @@
 //! the first root inside the region ([`Hit`]), and whether that is proven. Nothing here knows a pixel or a
 //! colour: this is mathematics, and a library of its own.
 //!
-//! - [`tracer`]: the one door: rays in, hits out, by either method.
+//! - [`tracer`]: the one door: rays in, hits out, by any method.
 //! - [`memory`]: what a tracer keeps for one sheet between batches.
 //! - [`kernels`]: the function of a sheet, and so much of it as some part of space needs.
 //! - [`index`]: which part of it matters where.
@@ -14,6 +14,7 @@
 //! - [`region`]: the clip, and the part of a ray inside it.
 //! - [`screen`]: the rays of a picture as a whole.
 //! - [`bundle`]: the rays of a rectangle of it, a number of each in an array.
+//! - [`spans`]: what of each of them is looked at.
 //! - [`tile`]: the fast way of the faithful method: squares of pixels settled at once.
 //! - [`stream`]: the roots of those squares, certified in batches.
 //! - [`start`]: where rays start that leave a surface.
@@ -36,6 +37,7 @@ mod refine;
 pub mod region;
 pub mod screen;
 pub mod sheet;
+mod spans;
 pub mod start;
 mod stream;
 mod sum;

@@ -7,10 +7,11 @@
 mod certificate;
 mod newton;
 
-use super::bundle::{BEYOND, Bundle, LENGTHENED, PLACES, SHORTENED, Spans};
+use super::bundle::{BEYOND, Bundle, PLACES};
 use super::kernels::Formula;
 use super::refine::points_at;
 use super::sheet::{Balls, Cells, POINTS, Points};
+use super::spans::{LENGTHENED, SHORTENED, Spans};
 use super::tile::Crossing;
 use crate::num::level::{Simd, for_each_level};
 use certificate::{Certified, certify};

@@ -1,4 +1,4 @@
-//! Rays in, hits out: the one door to both methods.
+//! Rays in, hits out: the one door to all methods.
 //!
 //! In: surfaces and a batch of rays. Out: for each ray the first root of any surface. A [`Tracer`] belongs to
 //! one thread and keeps its working memory between batches; the more rays a batch has, the fuller its lanes.
@@ -7,7 +7,7 @@ mod singles;
 mod squares;
 mod terms;
 
-use super::bundle::{Asked, Bundle, Spans};
+use super::bundle::{Asked, Bundle};
 use super::hit::{Counts, Hit, Outcome, Ray};
 use super::isolate::{Found, Open, Pool};
 use super::march::Marcher;
@@ -15,6 +15,7 @@ use super::memory::Memory;
 use super::refine::{Batch, Refined};
 use super::screen::{Rectangle, Screen};
 use super::sheet::{POINTS, Surface};
+use super::spans::Spans;
 use super::start::{self, Side};
 use super::stream::Stream;
 use super::tile::{Settled, Walk};

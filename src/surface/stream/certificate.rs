@@ -6,10 +6,11 @@
 use super::{Stream, Tools, part};
 use crate::num::interval_lanes::PARTIAL;
 use crate::num::level::{Level, for_each_level};
-use crate::surface::bundle::{LENGTHENED, SHORTENED};
+
 use crate::surface::isolate::{PER_DISTANCE, PER_ORIGIN, place};
 use crate::surface::refine::WIDTH;
 use crate::surface::sheet::{Balls, CELLS, POINTS};
+use crate::surface::spans::{LENGTHENED, SHORTENED};
 
 /// What g is at least and at most where each ray stands, and whether that is worth anything.
 #[derive(Debug)]

@@ -79,8 +79,8 @@ impl Tracer<'_> {
             } else {
                 self.pool.contract(formula, (cells, along), &rays, &mut self.open, &mut self.found);
                 // Numbers too large for forms have one bound at least as intervals.
-                let mut left = std::mem::take(&mut self.found.hard);
-                self.pool.run(formula, cells, &rays, &mut left, &mut self.found);
+                std::mem::swap(&mut self.open, &mut self.found.hard);
+                self.pool.run(formula, cells, &rays, &mut self.open, &mut self.found);
             }
             self.counts.cells += std::mem::take(&mut self.found.cells);
             for (ray, slabs) in self.found.empty.drain(..) {

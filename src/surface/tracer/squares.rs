@@ -6,13 +6,14 @@
 use super::{FAR, Job, Tiles, Tracer, View};
 use crate::closure::specialise::SLABS;
 use crate::num::level::Simd;
-use crate::surface::bundle::{Bundle, SHORTENED, Spans};
+use crate::surface::bundle::Bundle;
 use crate::surface::hit::Outcome;
 use crate::surface::isolate::Open;
 use crate::surface::kernels::{Formula, Program};
 use crate::surface::memory::Registers;
 use crate::surface::screen::{Rectangle, place_cells};
 use crate::surface::sheet::Surface;
+use crate::surface::spans::{SHORTENED, Spans};
 use crate::surface::stream::{End, Sink, Stream, Tools};
 use crate::surface::tile::{Crossing, Place, Rest};
 use std::ops::Range;
