@@ -99,6 +99,8 @@ pub struct Counts {
     pub gradients: u64,
     /// Enclosures of f (with or without its derivative) over a piece of a ray.
     pub cells: u64,
+    /// Rays of rectangles that squares of the screen did not settle, counted for each sheet of a surface.
+    pub singles: u64,
 }
 
 impl Counts {
@@ -108,5 +110,6 @@ impl Counts {
         self.points += other.points;
         self.gradients += other.gradients;
         self.cells += other.cells;
+        self.singles += other.singles;
     }
 }

@@ -216,7 +216,8 @@ impl<'a> Tracer<'a> {
         self.open.clear();
         match view {
             Some(view) if surface.sheets[k].is_free() && self.method == Method::Faithful => {
-                self.squares(surface, index, k, skipped, view, job)
+                self.squares(surface, index, k, skipped, view, job);
+                self.counts.singles += self.open.len() as u64;
             }
             _ => self.open_rays(surface, skipped, job),
         }

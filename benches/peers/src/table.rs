@@ -79,9 +79,9 @@ fn percent(share: f64) -> String {
 /// The table of primary visibility and normals.
 pub fn visibility(bench: &Bench, scenes: &[&Scene]) -> Outcome<String> {
     let mut text = String::from(
-        "| scene | ns/pixel | ns/hit | f,g/hit | enclosures/pixel | proven | × native | fidget JIT, ns/pixel | fidget VM, \
+        "| scene | ns/pixel | ns/hit | f,g/hit | enclosures/pixel | by squares | proven | × native | fidget JIT, ns/pixel | fidget VM, \
          ns/pixel | fidget right | × fidget | surf, ns/pixel | × surf |\n\
-         | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+         | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     for scene in scenes {
         eprintln!("{}: in this process, {SIZE} x {SIZE}", scene.name);
@@ -128,11 +128,12 @@ fn visibility_line(scene: &Scene, run: Run, peer: Option<&Peer>, surf: Option<f6
     let evaluations = run.counts.gradients as f64 / hits;
     let per_hit = run.seconds * 1e9 / hits;
     format!(
-        "| {} | {} | {per_hit:.0} | {} | {:.1} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+        "| {} | {} | {per_hit:.0} | {} | {:.1} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
         scene.name,
         per_pixel(run.seconds),
         mark(format!("{evaluations:.2}"), evaluations <= EVALUATIONS_GOAL),
         run.counts.cells as f64 / pixels,
+        percent(1.0 - run.counts.singles as f64 / pixels),
         percent(run.proven as f64 / pixels),
         cell(native_cost::of_scene(&scene.name), |native| ratio(per_hit / native)),
         cell(peer.map(|peer| peer.seconds[0]), per_pixel),
