@@ -24,8 +24,8 @@ pub trait Trace {
     fn starts(&mut self, departures: &[(Ray, Hit, Side)], points: &mut Vec<DVec3>) {
         points.clear();
         points.extend(departures.iter().map(|(ray, hit, side)| match side {
-            Side::Near => ray.at(hit.near),
-            Side::Far => ray.at(hit.far),
+            Side::Near => ray.at(hit.near()),
+            Side::Far => ray.at(hit.far()),
         }));
     }
 

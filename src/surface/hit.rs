@@ -47,10 +47,6 @@ pub struct Hit {
     pub proven: bool,
     /// Distance to the root; +∞ for a miss.
     pub t: f64,
-    /// A distance in front of the root, within `width` of it: rays that stay on this side start from there.
-    pub near: f64,
-    /// A distance behind the root, within `width` of it: rays that pass through start from there.
-    pub far: f64,
     /// How far the true root can be from `t`.
     pub width: f64,
     /// Which surface.
@@ -72,8 +68,6 @@ impl Hit {
         outcome: Outcome::Miss,
         proven: false,
         t: f64::INFINITY,
-        near: f64::INFINITY,
-        far: f64::INFINITY,
         width: 0.0,
         surface: 0,
         sheet: 0,
@@ -81,6 +75,16 @@ impl Hit {
         flipped: false,
         cost: 0,
     };
+
+    /// The distance in front of the root, `width` from it, ≥ 0: rays that stay on this side start from there.
+    pub fn near(&self) -> f64 {
+        (self.t - self.width).max(0.0)
+    }
+
+    /// The distance behind the root, `width` from it: rays that pass through start from there.
+    pub fn far(&self) -> f64 {
+        self.t + self.width
+    }
 
     /// Whether there is something to draw.
     pub fn is_drawn(&self) -> bool {

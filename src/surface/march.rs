@@ -144,8 +144,6 @@ impl March<'_> {
         Hit {
             outcome: Outcome::Hit,
             t,
-            near: t - width,
-            far: t + width,
             width,
             surface,
             normal: if flipped { -normal } else { normal },

@@ -43,7 +43,7 @@ pub(super) fn starts(
     for (number, ray, hit, side) in departures {
         let scale = ray.at(hit.t).abs().max_element().max(hit.t);
         let ulp = scale * f64::EPSILON;
-        let (t, away) = if side == Side::Near { (hit.near, -ulp) } else { (hit.far, ulp) };
+        let (t, away) = if side == Side::Near { (hit.near(), -ulp) } else { (hit.far(), ulp) };
         points[number] = ray.at(t);
         if hit.normal.is_finite() {
             open.push((Try { number, t, away, is_positive: hit.flipped != (side == Side::Near) }, ray));

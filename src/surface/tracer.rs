@@ -164,7 +164,7 @@ impl<'a> Tracer<'a> {
         if self.surfaces[hit.surface as usize].sheets.len() == 1 {
             return hit.flipped;
         }
-        self.is_negative(hit.surface, ray.at(hit.near)).unwrap_or(hit.flipped)
+        self.is_negative(hit.surface, ray.at(hit.near())).unwrap_or(hit.flipped)
     }
 
     /// Whether that product is negative at a point; `None` if it is neither negative nor positive.
@@ -231,9 +231,8 @@ impl Job<'_> {
     fn settle(&mut self, open: Open, outcome: Outcome, t: f64, width: f64) {
         let hit = &mut self.hits[open.ray as usize];
         let cost = hit.cost + open.slabs;
-        let (near, far, proven) = ((t - width).max(0.0), t + width, outcome == Outcome::Hit);
-        *hit =
-            Hit { outcome, proven, t, width, near, far, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
+        let proven = outcome == Outcome::Hit;
+        *hit = Hit { outcome, proven, t, width, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
     }
 
     /// The normal of a hit from the gradient, turned against the ray.

@@ -84,5 +84,5 @@ fn bounce(ray: &Ray, hit: &Hit, random: &mut Random) -> Option<Ray> {
     let (sine, cosine) = (std::f64::consts::TAU * random.part()).sin_cos();
     let ring = (1.0 - height * height).sqrt();
     let direction = hit.normal + DVec3::new(ring * cosine, ring * sine, height);
-    Some(Ray::new(ray.at(hit.near), direction.try_normalize()?))
+    Some(Ray::new(ray.at(hit.near()), direction.try_normalize()?))
 }

@@ -35,7 +35,7 @@ impl<F: FnMut(&Ray) -> Option<f64>> Trace for Known<F> {
 }
 
 fn hit(_: &Ray, t: f64, normal: DVec3) -> Hit {
-    Hit { outcome: Outcome::Hit, t, near: t, normal, ..Hit::NONE }
+    Hit { outcome: Outcome::Hit, t, normal, ..Hit::NONE }
 }
 
 fn scene() -> Scene {

@@ -34,7 +34,7 @@ fn first_hit(ray: &Ray) -> Hit {
     if half_squared < 0.0 || t <= 0.0 {
         return Hit { proven: true, ..Hit::NONE };
     }
-    Hit { outcome: Outcome::Hit, proven: true, t, near: t - 1e-12, normal: ray.at(t), ..Hit::NONE }
+    Hit { outcome: Outcome::Hit, proven: true, t, width: 1e-12, normal: ray.at(t), ..Hit::NONE }
 }
 
 fn scene() -> Scene {

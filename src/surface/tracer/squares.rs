@@ -242,7 +242,7 @@ impl Sink for Filing<'_, '_> {
         let hit = &mut self.job.hits[self.bundle.pixel[place] as usize];
         // Number by number: a copy in larger pieces would wait until all of them are in memory.
         (hit.outcome, hit.proven, hit.flipped) = (Outcome::Hit, true, flipped);
-        (hit.t, hit.near, hit.far, hit.width) = (t, (t - width).max(0.0), t + width, width);
+        (hit.t, hit.width) = (t, width);
         (hit.surface, hit.sheet) = (surface, sheet);
         (hit.normal.x, hit.normal.y, hit.normal.z) = (x, y, z);
         hit.cost += cost;
