@@ -217,6 +217,37 @@ impl Walk {
                 self.open.push(Square { place, a, b: end, end, sign: f64::NAN, ..Square::default() });
             }
         }
+        self.settle(formula, files, (screen, rectangle, simd), settled);
+    }
+
+    /// Settles what is behind the crossings of the last run, for rays that are still looked at there.
+    pub(crate) fn resume(
+        &mut self,
+        formula: Formula,
+        files: &mut FormFiles,
+        view: (&Screen, Rectangle, Simd),
+        range: impl Fn(Place) -> Option<(f64, f64)>,
+        settled: &mut Settled,
+    ) {
+        self.open.clear();
+        for crossing in settled.crossings.drain(..) {
+            let Crossing { place, b: a, front, cost, .. } = crossing;
+            if let Some((_, end)) = range(place).filter(|(_, end)| *end > a) {
+                self.open.push(Square { place, a, b: end, end, sign: -front, slabs: 0, cost });
+            }
+        }
+        settled.clear();
+        self.settle(formula, files, view, settled);
+    }
+
+    /// Walks all open squares to their ends.
+    fn settle(
+        &mut self,
+        formula: Formula,
+        files: &mut FormFiles,
+        (screen, rectangle, simd): (&Screen, Rectangle, Simd),
+        settled: &mut Settled,
+    ) {
         while !self.open.is_empty() || !self.crossed.is_empty() {
             while !self.open.is_empty() {
                 self.look_at_values(formula, files, (screen, rectangle, simd), settled);

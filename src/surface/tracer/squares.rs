@@ -90,8 +90,7 @@ impl Tracer<'_> {
             return;
         }
         let Some(parts) = &sheet.kernels.parts else {
-            self.walk(here, sheet.kernels.whole(), view, block, job);
-            self.finish(here, sheet.kernels.whole(), view, job);
+            self.walk_through(here, sheet.kernels.whole(), view, block, job);
             return;
         };
         let Some(block) = self.shrunk(here.surface.simd, view, block) else { return };
@@ -150,8 +149,7 @@ impl Tracer<'_> {
             let program = Program::new(live);
             let formula = here.surface.sheets[here.k].kernels.only(&program);
             if let Some(block) = self.shrunk(here.surface.simd, view, block) {
-                self.walk(here, formula, view, block, job);
-                self.finish(here, formula, view, job);
+                self.walk_through(here, formula, view, block, job);
             }
         }
     }
@@ -168,22 +166,57 @@ impl Tracer<'_> {
     /// Settles what squares of a part of the rectangle can in one formula, and opens the rays of the rest. Some roots
     /// may wait for more of the same formula, until [`Self::finish`].
     pub(super) fn walk(&mut self, here: Here, formula: Formula, view: View, block: Block, job: &mut Job) {
+        self.look(here, formula, view, block, false);
+        self.stream(here, formula, view, job, |stream, crossings, tools, filing| {
+            for crossing in crossings {
+                stream.take(crossing, view.bundle, tools, filing);
+            }
+        });
+        self.open_rest(view.bundle);
+    }
+
+    /// The same, until none waits. Rays that begin behind a root go on in their squares.
+    fn walk_through(&mut self, here: Here, formula: Formula, view: View, block: Block, job: &mut Job) {
+        self.look(here, formula, view, block, false);
+        loop {
+            let mut begun = 0;
+            self.stream(here, formula, view, job, |stream, crossings, tools, filing| {
+                filing.begun = Some(0);
+                for crossing in crossings {
+                    stream.take(crossing, view.bundle, tools, filing);
+                }
+                stream.finish(tools, filing);
+                begun = filing.begun.unwrap_or(0);
+            });
+            self.open_rest(view.bundle);
+            if begun == 0 {
+                return;
+            }
+            self.look(here, formula, view, block, true);
+        }
+    }
+
+    /// Walks the squares of a block, or goes on behind the crossings that they have found.
+    fn look(&mut self, here: Here, formula: Formula, view: View, block: Block, goes_on: bool) {
         let (simd, bundle) = (here.surface.simd, view.bundle);
         let Tiles { walk, settled, spans, .. } = &mut self.tiles;
-        settled.clear();
-        let registers = &mut self.files[here.index][here.k].registers;
+        let forms = &mut self.files[here.index][here.k].registers.forms;
         let range = |square: Place| {
             let found = spans.depths(bundle, square.first, square.count(), simd);
             found.and_then(|found| meet(found, block.depths))
         };
-        let region = (block.place, bundle, block.depths, range);
-        walk.run(formula, &mut registers.forms, (view.screen, view.rectangle, simd), region, settled);
+        let screen = (view.screen, view.rectangle, simd);
+        if goes_on {
+            walk.resume(formula, forms, screen, range, settled);
+        } else {
+            settled.clear();
+            walk.run(formula, forms, screen, (block.place, bundle, block.depths, range), settled);
+        }
         self.counts.cells += settled.cells;
-        self.stream(here, formula, view, job, |stream, crossings, tools, filing| {
-            for crossing in crossings {
-                stream.take(crossing, bundle, tools, filing);
-            }
-        });
+    }
+
+    /// Opens the rays that squares have left.
+    fn open_rest(&mut self, bundle: &Bundle) {
         let Tiles { settled, spans, .. } = &mut self.tiles;
         for &Rest { place, a, step, cost } in &settled.rest {
             for i in place.first..place.first + place.count() {
@@ -215,7 +248,7 @@ impl Tracer<'_> {
         let Registers { gradient, balls, cells, .. } = &mut self.files[index][k].registers;
         let (cells, size, simd) = (&mut cells.value, surface.size, surface.simd);
         let mut tools = Tools { formula, gradient, balls, cells, size, simd, evaluations: 0, enclosures: 0 };
-        let mut filing = Filing { bundle: view.bundle, spans, open: &mut self.open, job };
+        let mut filing = Filing { bundle: view.bundle, spans, open: &mut self.open, job, begun: None };
         work(stream, &settled.crossings, &mut tools, &mut filing);
         self.counts.gradients += tools.evaluations;
         self.counts.cells += tools.enclosures;
@@ -228,6 +261,8 @@ struct Filing<'a, 'b> {
     spans: &'a mut Spans,
     open: &'a mut Vec<Open>,
     job: &'a mut Job<'b>,
+    /// How many rays have begun behind a root, if their squares go on.
+    begun: Option<u32>,
 }
 
 impl Sink for Filing<'_, '_> {
@@ -258,10 +293,16 @@ impl Sink for Filing<'_, '_> {
                 self.spans.far[place] = again.a;
                 self.open.push(again);
             }
-            End::Before => {
-                self.spans.far[place] = f64::NEG_INFINITY;
-                self.open.extend((b < t1).then_some(Open { a: b.max(t0), ..again }));
-            }
+            End::Before => match &mut self.begun {
+                Some(begun) => {
+                    *begun += 1;
+                    self.spans.near[place] = b.max(t0);
+                }
+                None => {
+                    self.spans.far[place] = f64::NEG_INFINITY;
+                    self.open.extend((b < t1).then_some(Open { a: b.max(t0), ..again }));
+                }
+            },
             End::Behind => self.job.hits[ray as usize].cost += cost,
         }
     }
