@@ -9,7 +9,7 @@ use super::ball_lanes::BallLanes;
 use super::interval::{Defined, Enclosure, Interval};
 use super::interval_lanes::IntervalLanes;
 use super::lanes::Lanes;
-use super::level::{Portable, Simd};
+use super::level::{Level, Portable, Simd};
 use super::number::Number;
 use super::trial::{Trial, trials};
 
@@ -280,5 +280,47 @@ fn values_never_escape_their_balls() {
         println!("{}: {known} of {narrow} narrow ones known", trial.name);
         // Whole numbers are at a jump of the floor.
         assert!(known * 4 >= narrow * 3, "{}: {known} of {narrow}", trial.name);
+    }
+}
+
+/// What one rounding loses, to the last bit (Muller et al., "Handbook of Floating-Point Arithmetic", 2nd ed., chapters 4 and 5), is in the
+/// ball; twice as much is not needed.
+#[test]
+fn balls_of_points_contain_what_rounding_lost() {
+    /// What the result c of an operation on a and b misses.
+    type Lost = fn(f64, f64, f64) -> f64;
+    fn lost_of_sum(a: f64, b: f64, c: f64) -> f64 {
+        let b_there = c - a;
+        (a - (c - b_there)) + (b - b_there)
+    }
+    let losses: [(&str, Lost); 6] = [
+        ("add", lost_of_sum),
+        ("sub", |a, b, c| lost_of_sum(a, -b, c)),
+        ("mul", |a, b, c| <Portable as Level>::fma(a, b, -c)),
+        ("square", |a, _, c| <Portable as Level>::fma(a, a, -c)),
+        ("div", |a, b, c| <Portable as Level>::fma(-c, b, a) / b),
+        ("sqrt", |a, _, c| <Portable as Level>::fma(-c, c, a) / (2.0 * c)),
+    ];
+    let trials = trials();
+    for (name, lost) in losses {
+        let trial = trials.iter().find(|trial| trial.name == name).unwrap();
+        let mut random = Random(8);
+        let mut most = 0.0f64;
+        for _ in 0..CASES / 64 {
+            let mut ball = || {
+                let center =
+                    Lanes(std::array::from_fn(|_| (1.0 + random.unit()) * (random.unit() * 40.0 - 20.0).exp2()));
+                BallLanes { center, radius: Lanes::splat(0.0) }
+            };
+            let (a, b) = (ball(), ball());
+            let mut out = a;
+            (trial.balls)(Simd::best(), 1, &a, &b, &mut out);
+            for i in 0..64 {
+                let lost = lost(a.center.0[i], b.center.0[i], out.center.0[i]).abs();
+                assert!(lost <= out.radius.0[i], "{name}: {lost:e} is lost, {:e} is known", out.radius.0[i]);
+                most = most.max(lost / out.radius.0[i]);
+            }
+        }
+        assert!(most > 0.2, "{name}: at most {most} of a ball is needed");
     }
 }

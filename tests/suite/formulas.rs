@@ -4,12 +4,14 @@
 //! written by hand because here chance finds the pairs of rules that nobody thought of.
 
 use glam::DVec3;
-use implicit::closure::Formula;
+use implicit::closure::{Formula, Kernel, Tape};
 use implicit::diag::SourceId;
 use implicit::expr::derivative;
 use implicit::expr::graph::{Graph, NodeId};
 use implicit::expr::print;
+use implicit::num::ball_lanes::BallLanes;
 use implicit::num::interval::{Defined, Interval};
+use implicit::num::lanes::Lanes;
 use implicit::num::level::Simd;
 use implicit::session::{NoFiles, Program, Text};
 use implicit::syntax;
@@ -132,4 +134,33 @@ fn values_and_gradients_are_those_of_another_program() {
     }
     assert!(wrong.is_empty(), "{} of {count} are wrong:\n{}", wrong.len(), wrong.join("\n"));
     assert!(loose * 100 < count, "of {loose} of {count} numbers nothing is known");
+}
+
+/// What a chain of operations does to a point is within what its ball says.
+#[test]
+fn balls_contain_the_values_of_random_formulas() {
+    let table = table();
+    let (mut all, mut narrow) = (0, 0);
+    for Row { text, point, value, .. } in rows(&table) {
+        let (graph, f) = read(text);
+        let kernel: Kernel<BallLanes<64>> = Kernel::new(&Tape::for_points(&graph, &[f]), Simd::best());
+        let mut registers = kernel.registers();
+        for axis in 0..3 {
+            registers[axis] = BallLanes { center: Lanes::splat(point[axis]), radius: Lanes::splat(0.0) };
+        }
+        kernel.run(&mut registers);
+        let ball = kernel.output(&registers, 0);
+        let (center, radius) = (ball.center.0[63], ball.radius.0[63]);
+        if value.is_finite() && center.is_finite() {
+            all += 1;
+            narrow += u32::from(radius <= 1e-11 * (1.0 + value.abs()));
+            // The table's values are rounded.
+            let ulp = value.abs().next_up() - value.abs();
+            assert!(
+                !radius.is_finite() || (center - value).abs() <= radius + ulp,
+                "{text} at {point}: {center:e} ± {radius:e}, not {value:e}"
+            );
+        }
+    }
+    assert!(all > 1500 && narrow * 10 > all * 9, "{narrow} of {all} balls are narrow");
 }
