@@ -44,7 +44,7 @@ struct Term {
 fn by_horner(graph: &mut Graph, sum: NodeId) -> Option<NodeId> {
     let mut polynomials: BTreeMap<NodeId, BTreeMap<i64, Rational>> = BTreeMap::new();
     let mut rest = Vec::new();
-    for (node, is_negative) in terms(graph, sum)? {
+    for (node, is_negative) in terms(graph, sum, MOST_TERMS)? {
         match term(graph, node) {
             Some(Term { coefficient, base, exponent }) => {
                 let signed = if is_negative { coefficient.negated() } else { coefficient };
@@ -69,8 +69,8 @@ fn by_horner(graph: &mut Graph, sum: NodeId) -> Option<NodeId> {
     Some(total)
 }
 
-/// The terms of a sum with their signs.
-fn terms(graph: &Graph, sum: NodeId) -> Option<Vec<(NodeId, bool)>> {
+/// The terms of a sum, each with whether it is taken away; `None` if they are more than `most`, for shared sums can have very many.
+pub(crate) fn terms(graph: &Graph, sum: NodeId, most: usize) -> Option<Vec<(NodeId, bool)>> {
     let (mut found, mut stack) = (Vec::new(), vec![(sum, false)]);
     while let Some((id, is_negative)) = stack.pop() {
         let args = graph.args(id);
@@ -79,7 +79,7 @@ fn terms(graph: &Graph, sum: NodeId) -> Option<Vec<(NodeId, bool)>> {
             Op::Sub => stack.extend([(args[1], !is_negative), (args[0], is_negative)]),
             _ => found.push((id, is_negative)),
         }
-        if found.len() + stack.len() > MOST_TERMS {
+        if found.len() + stack.len() > most {
             return None;
         }
     }

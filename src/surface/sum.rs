@@ -9,6 +9,7 @@ use crate::closure::shorten::{Shortener, numbers};
 use crate::closure::{Kernel, Tape};
 use crate::expr::derivative::along_ray;
 use crate::expr::graph::{Graph, NodeId};
+use crate::expr::nest::terms;
 use crate::expr::op::Op;
 use crate::num::affine_lanes::AffineLanes;
 use crate::num::interval_lanes::{JUMP, NOWHERE, PARTIAL};
@@ -17,6 +18,9 @@ use crate::num::number::Number;
 
 /// Sums of fewer terms are not worth it.
 const FEWEST: usize = 32;
+
+/// Sums of more are left whole: sharing can make an enormous sum of a small graph.
+const MOST: usize = 10_000;
 
 /// What is left out may change by so much of the largest term: so little that squares of a few pixels still see how the rest leans.
 const LEFT_OUT: f64 = 0.03;
@@ -59,12 +63,11 @@ struct Weight {
 }
 
 impl Sum {
-    /// The terms of a node, whose slopes are added to the graph; `None` if they are few.
+    /// The terms of a node, whose slopes are added to the graph; `None` if they are few, or too many.
     pub(crate) fn new(graph: &mut Graph, node: NodeId, simd: Simd) -> Option<Sum> {
-        let terms = terms(graph, node);
-        if terms.len() < FEWEST {
-            return None;
-        }
+        let terms = terms(graph, node, MOST).filter(|terms| terms.len() >= FEWEST)?;
+        let signed = |(id, is_negative)| if is_negative { graph.apply(Op::Neg, &[id]) } else { id };
+        let terms: Vec<NodeId> = terms.into_iter().map(signed).collect();
         let slopes = along_ray(graph, &terms);
         let count = terms.len();
         let tape = Tape::new(graph, &[terms, slopes].concat());
@@ -168,22 +171,6 @@ impl Share {
         let [middle, half] = self.rest[which];
         Forms::splat(middle, half)
     }
-}
-
-/// The terms of a sum, those that are taken away with their sign turned.
-fn terms(graph: &mut Graph, node: NodeId) -> Vec<NodeId> {
-    let (mut found, mut open) = (Vec::new(), vec![(node, false)]);
-    while let Some((id, is_negative)) = open.pop() {
-        let args = graph.args(id).to_vec();
-        match graph.op(id) {
-            Op::Add => open.extend([(args[1], is_negative), (args[0], is_negative)]),
-            Op::Sub => open.extend([(args[1], !is_negative), (args[0], is_negative)]),
-            Op::Neg => open.push((args[0], !is_negative)),
-            _ if is_negative => found.push(graph.apply(Op::Neg, &[id])),
-            _ => found.push(id),
-        }
-    }
-    found
 }
 
 for_each_level! {

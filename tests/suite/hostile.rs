@@ -65,6 +65,11 @@ fn programs() -> Vec<(&'static str, String, End)> {
         ),
         ("60 doublings", chain("d0 = x", 60, doubling) + "\n(d60) = 0", Value(0.5 * 2f64.powi(60))),
         (
+            "60 sums of the two before",
+            chain("f0 = sin(x)\nf1 = cos(y)", 60, |i| format!("f{} = f{i} + f{}", i + 1, i - 1)) + "\n(f61) = z",
+            Value(f64::NAN),
+        ),
+        (
             "60 doublings of a sine",
             chain("d0 = sin(x)", 60, |i| format!("d{i} = sin(d{0})*cos(d{0}) + d{0}", i - 1)) + "\n(d60) = 1",
             Value(f64::NAN),
