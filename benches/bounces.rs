@@ -1,7 +1,7 @@
 //! Rays that leave a surface in all directions, one thread, in processor time: what shadows, mirrors and paths ask.
 //!
 //! `cargo bench --bench bounces` takes the scenes of `tests/data/scenes.toml` and some unions of spheres; `cargo bench --bench bounces --
-//! sphere barth6` some of them. From the hits of 256 x 256 pixels rays go about the normal, evenly by cosine, 1024 at once. A row: ns a
+//! sphere barth6` some of them. From the hits of 256 x 256 pixels rays go about the normal, evenly by cosine, 4096 at once. A row: ns a
 //! ray of the first and of the second bounce (the least of five runs), their enclosures a ray, the share of rays that hit, the share of all that is proven;
 //! and the same for the rays of the camera, each traced by itself.
 #![allow(missing_docs, clippy::unwrap_used, clippy::print_stdout, clippy::disallowed_methods)]
@@ -17,8 +17,8 @@ use rustix::time::{ClockId, clock_gettime};
 /// Pixels across of the picture whose hits the rays leave from.
 const SIZE: u32 = 256;
 
-/// Rays asked at once.
-const BATCH: usize = 1024;
+/// Rays asked at once: as many as paths are followed at once in a picture.
+const BATCH: usize = 4096;
 
 /// Runs of each scene; the least counts.
 const RUNS: usize = 5;

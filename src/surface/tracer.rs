@@ -9,7 +9,7 @@ mod terms;
 
 use super::bundle::{Asked, Bundle};
 use super::hit::{Counts, Hit, Outcome, Ray};
-use super::isolate::{Found, Open, Pool};
+use super::isolate::{Bracket, Found, Open, Pool};
 use super::march::Marcher;
 use super::memory::Memory;
 use super::refine::{Batch, Refined};
@@ -53,6 +53,8 @@ pub struct Tracer<'a> {
     pool: Pool,
     batch: Batch,
     found: Found,
+    /// Those that are refined with others.
+    waiting: Vec<Bracket>,
     refined: Vec<Refined>,
     open: Vec<Open>,
     marcher: Marcher,
@@ -92,10 +94,17 @@ struct Job<'a> {
     hits: &'a mut [Hit],
     /// Rays whose emptiness is not proven, each with a distance from which on.
     doubt: Vec<(u32, f64)>,
-    /// Hits whose normal is still to be found, with the distance to take it at.
-    bare: Vec<(u32, f64)>,
+    bare: Vec<Bare>,
     surface: u32,
     sheet: u32,
+}
+
+/// A hit whose normal is still to be found.
+struct Bare {
+    ray: u32,
+    t: f64,
+    /// Where the normal is taken.
+    at: f64,
 }
 
 impl<'a> Tracer<'a> {
@@ -109,6 +118,7 @@ impl<'a> Tracer<'a> {
             pool: Pool::default(),
             batch: Batch::default(),
             found: Found::default(),
+            waiting: Vec::new(),
             refined: Vec::new(),
             open: Vec::new(),
             marcher: Marcher::new(surfaces),
@@ -227,12 +237,23 @@ impl<'a> Tracer<'a> {
 }
 
 impl Job<'_> {
-    /// A root in front of all known so far.
-    fn settle(&mut self, open: Open, outcome: Outcome, t: f64, width: f64) {
+    /// A root; whether it is in front of all known so far.
+    fn settle(&mut self, open: Open, outcome: Outcome, t: f64, width: f64) -> bool {
         let hit = &mut self.hits[open.ray as usize];
-        let cost = hit.cost + open.slabs;
-        let proven = outcome == Outcome::Hit;
-        *hit = Hit { outcome, proven, t, width, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
+        hit.cost += open.slabs;
+        let is_first = t <= hit.t;
+        if is_first {
+            let (proven, cost) = (outcome == Outcome::Hit, hit.cost);
+            *hit = Hit { outcome, proven, t, width, surface: self.surface, sheet: self.sheet, cost, ..Hit::NONE };
+        }
+        is_first
+    }
+
+    /// The same of a root whose normal is to be taken somewhere.
+    fn settle_bare(&mut self, open: Open, outcome: Outcome, (t, width): (f64, f64), at: f64) {
+        if self.settle(open, outcome, t, width) {
+            self.bare.push(Bare { ray: open.ray, t, at });
+        }
     }
 
     /// The normal of a hit from the gradient, turned against the ray.

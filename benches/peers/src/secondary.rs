@@ -15,7 +15,7 @@ use implicit::surface::{Hit, Method, Ray, Tracer};
 const SIZE: u32 = 256;
 
 /// Rays asked at once.
-const BATCH: usize = 1024;
+const BATCH: usize = 4096;
 
 /// How many times the first bounce a deeper one may take.
 const DEEP_GOAL: f64 = 2.0;
