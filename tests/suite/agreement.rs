@@ -112,6 +112,31 @@ fn long_sums(random: &mut Random) -> Vec<String> {
     forms.iter().map(|terms| sum(terms)).collect()
 }
 
+/// Unions of objects at random places, few and many, smooth and cut; the reference takes all of them everywhere.
+fn unions(random: &mut Random) -> Vec<String> {
+    let ball = "sqrt((x - A)^2 + (y - B)^2 + (z - C)^2) - 0.2";
+    let cube = "max(abs(x - A), abs(y - B), abs(z - C)) - 0.2";
+    let ring = "(sqrt((x - A)^2 + (y - B)^2) - 0.3)^2 + (z - C)^2 - 0.01";
+    let wall = "abs(x - A) + 0.001/(y - B)^2 - 0.05";
+    let small = "(x - A)^2 + (y - B)^2 + (z - C)^2 - 0.01";
+    let mut union = |objects: &[&str], count: usize| {
+        let one = |k: usize| {
+            let mut place = || format!("({:.3})", 2.4 * random.unit() - 1.2);
+            objects[k % objects.len()].replace('A', &place()).replace('B', &place()).replace('C', &place())
+        };
+        format!("min({})", (0..count).map(one).collect::<Vec<_>>().join(", "))
+    };
+    let (mixed, many, balls) = (union(&[ball, cube, ring], 12), union(&[small], 150), union(&[ball], 30));
+    vec![
+        format!("{mixed} = 0"),
+        format!("{} = 0", union(&[ball, wall, ring], 9)),
+        format!("{many} = 0"),
+        format!("max({many}, z) = 0"),
+        format!("0.5*({balls} + z + sqrt(({balls} - z)^2 + 0.01)) = 0"),
+        format!("sin(2*{balls}) = 0.1"),
+    ]
+}
+
 fn shape(scene: &toml::Value) -> Shape {
     let clip = &scene["clip"];
     match clip.get("ball") {
@@ -135,7 +160,8 @@ fn all_cases(random: &mut Random) -> Vec<Case> {
     let ball = Shape::Ball { center: DVec3::new(0.1, 0.0, -0.1), radius: 2.5 };
     let cube = Shape::Box { min: DVec3::new(-1.5, -1.7, -2.0), max: DVec3::new(1.9, 1.5, 1.4) };
     let sums = long_sums(random);
-    for formula in FORMULAS.iter().copied().chain(sums.iter().map(String::as_str)) {
+    let unions = unions(random);
+    for formula in FORMULAS.iter().copied().chain(sums.iter().chain(&unions).map(String::as_str)) {
         cases.extend([ball, cube].map(|shape| case(formula, shape, random)));
     }
     cases

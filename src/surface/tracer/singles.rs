@@ -79,7 +79,8 @@ impl Tracer<'_> {
     /// Settles all open rays: piece by piece where parts of space have formulas of their own, those of one formula together.
     pub(super) fn singles(&mut self, surface: &Surface, index: usize, k: usize, job: &mut Job) {
         let sheet = &surface.sheets[k];
-        let Some(map) = &sheet.index else {
+        let map = sheet.index.as_ref().filter(|_| self.method != Method::Intervals);
+        let Some(map) = map else {
             self.settle_open(sheet.kernels.whole(), surface, (index, k), job);
             return;
         };

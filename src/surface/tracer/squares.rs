@@ -24,6 +24,10 @@ const MANY: usize = 8;
 /// A rectangle of this side is not: lanes would be empty.
 const SMALLEST: u32 = 8;
 
+/// Where more than one argument for so many pixels matters, rays go one by one through an index of space if there is one: squares would hardly be
+/// settled before they are single rays.
+const PER_ARGUMENT: u32 = 50;
+
 /// What matters is found out for this many layers of each quarter, one behind the other.
 const LAYERS: usize = SLABS / 4;
 
@@ -117,7 +121,12 @@ impl Tracer<'_> {
             among.iter().zip(&bits).filter(|(_, bits)| **bits & mask != 0).map(|(&k, _)| k).collect()
         };
         let all = live(0..cells.len());
+        let is_crowded = all.len() as u32 * PER_ARGUMENT > block.place.width * block.place.height;
         let is_small = block.place.width.max(block.place.height) <= SMALLEST;
+        if all.len() > MANY && is_crowded && sheet.index.is_some() {
+            self.open_block(view, block);
+            return;
+        }
         if all.len() <= MANY || is_small {
             self.settle(here, view, block, &all, job);
             return;
@@ -213,6 +222,14 @@ impl Tracer<'_> {
             walk.run(formula, forms, screen, (block.place, bundle, block.depths, range), settled);
         }
         self.counts.cells += settled.cells;
+    }
+
+    /// Opens all rays of a block.
+    fn open_block(&mut self, view: View, Block { place, depths: (a, end) }: Block) {
+        self.tiles.settled.clear();
+        let rest = Place::of(place, view.bundle).map(|place| Rest { place, a, step: end - a, cost: 0 });
+        self.tiles.settled.rest.extend(rest);
+        self.open_rest(view.bundle);
     }
 
     /// Opens the rays that squares have left.
