@@ -1,7 +1,7 @@
-//! Which arguments of minima and maxima matter in a part of space.
+//! Which arguments of minima and maxima, and which branches of conditions, matter in a part of space.
 //!
-//! In: a formula. Out: the same with its long minima and maxima in balanced order, whose arguments are numbered; and, from
-//! affine forms of the arguments over slabs, which of them can be the smallest (or largest) in each. Separate from the operations,
+//! In: a formula. Out: the same with its long minima and maxima in balanced order; their arguments and the branches of its dear conditions are
+//! numbered; and, from affine forms of the arguments and the conditions over slabs, which can be the smallest (or largest), or are chosen, in each. Separate from the operations,
 //! which decide between two arguments in one cell; here many are struck out for many cells. [`super::shorten`] leaves
 //! the others out.
 
@@ -25,19 +25,25 @@ const FEWEST: usize = 3;
 /// How many of the best arguments each is compared with: the nearest object and its neighbours.
 const RIVALS: usize = 6;
 
-/// The minima and maxima of several arguments in a formula.
+/// Branches of fewer nodes than this, both together, are not worth it either.
+const FEWEST_NODES: usize = 40;
+
+/// The minima and maxima of several arguments in a formula, and the conditions between branches.
 #[derive(Clone, Debug)]
 pub struct Choices {
     groups: Vec<Group>,
     /// The arguments, group by group.
     pub leaves: Vec<NodeId>,
+    /// For each, the node that tells whether it matters: itself, or the condition.
+    pub telling: Vec<NodeId>,
     /// The nodes that choose between two of them, or between two such nodes.
     pub forks: Vec<Fork>,
 }
 
-/// A minimum or maximum of many.
+/// A minimum or maximum of many, or a condition between two.
 #[derive(Clone, Debug)]
 struct Group {
+    /// [`Op::Min`], [`Op::Max`] or [`Op::Choose`].
     op: Op,
     /// Numbers of its arguments.
     leaves: Range<usize>,
@@ -52,6 +58,7 @@ impl Choices {
     /// The choices of a formula, and the formula in which they are balanced; `None` if it has none that are worth it.
     pub fn new(graph: &mut Graph, root: NodeId) -> Option<(NodeId, Choices)> {
         let mut found = extremes(graph, root);
+        found.extend(branches(graph, root));
         loop {
             if found.is_empty() {
                 return None;
@@ -80,11 +87,33 @@ impl Choices {
         for group in &self.groups {
             let start = bits.len();
             let count = of[start..].partition_point(|&k| (k as usize) < group.leaves.end);
-            let forms: Vec<&Slabs> =
-                of[start..start + count].iter().map(|&k| leaves.output(registers, k as usize)).collect();
-            live_in_group(simd, &forms, group, &mut bounds, bits);
+            let here = &of[start..start + count];
+            let forms: Vec<&Slabs> = here.iter().map(|&k| leaves.output(registers, k as usize)).collect();
+            if group.op == Op::Choose {
+                let first = group.leaves.start as u32;
+                bits.extend(here.iter().zip(forms).map(|(&k, condition)| chosen(condition, k == first)));
+            } else {
+                live_in_group(simd, &forms, group, &mut bounds, bits);
+            }
         }
     }
+}
+
+/// A bit for every slab in which a branch can be chosen: the first where the condition is not positive.
+fn chosen(condition: &Slabs, is_first: bool) -> u16 {
+    (0..SLABS).fold(0, |mask, lane| {
+        let (lo, hi) = condition.bounds(lane);
+        let is_other = if is_first { lo > 0.0 } else { hi <= 0.0 };
+        mask | u16::from(!is_other | (condition.flags[lane] != 0)) << lane
+    })
+}
+
+/// The conditions between branches that are dear.
+fn branches(graph: &Graph, root: NodeId) -> Vec<Extreme> {
+    let order = graph.reachable(&[root]);
+    let conditions = order.iter().copied().filter(|&id| graph.op(id) == Op::Choose);
+    let branches = conditions.map(|id| (id, Op::Choose, graph.args(id)[1..].to_vec()));
+    branches.filter(|(_, _, sides)| sides[0] != sides[1] && graph.reachable(sides).len() >= FEWEST_NODES).collect()
 }
 
 /// The minima and maxima of several arguments, each as large as it can be.
@@ -118,7 +147,7 @@ fn leaves(graph: &Graph, node: NodeId) -> Vec<NodeId> {
 
 /// The formula with each group as a tree of as few stages as can be: what is left of it in a part of space then is few copies deep.
 fn balance(graph: &mut Graph, root: NodeId, found: &[Extreme]) -> (NodeId, Choices) {
-    let mut choices = Choices { groups: Vec::new(), leaves: Vec::new(), forks: Vec::new() };
+    let mut choices = Choices { groups: Vec::new(), leaves: Vec::new(), telling: Vec::new(), forks: Vec::new() };
     let order = graph.reachable(&[root]);
     let mut copy: Vec<NodeId> = (0..graph.len() as u32).map(NodeId).collect();
     for id in order {
@@ -127,8 +156,17 @@ fn balance(graph: &mut Graph, root: NodeId, found: &[Extreme]) -> (NodeId, Choic
             Some((_, op, leaves)) => {
                 let leaves: Vec<NodeId> = leaves.iter().map(of).collect();
                 let first = choices.leaves.len();
-                let node = tree(graph, *op, &leaves, first as u32, true, &mut choices.forks);
+                let (node, telling) = if *op == Op::Choose {
+                    let condition = of(&graph.args(id)[0]);
+                    let node = graph.intern(Op::Choose, &[condition, leaves[0], leaves[1]]);
+                    let (a, b) = (first as u32, first as u32 + 1);
+                    choices.forks.push(Fork { node, sides: [(a, b), (b, b + 1)], is_top: true });
+                    (node, vec![condition; 2])
+                } else {
+                    (tree(graph, *op, &leaves, first as u32, true, &mut choices.forks), leaves.clone())
+                };
                 choices.leaves.extend(leaves);
+                choices.telling.extend(telling);
                 let leaves = first..choices.leaves.len();
                 choices.groups.push(Group { op: *op, leaves, is_root: id == root });
                 node

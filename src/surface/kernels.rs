@@ -89,11 +89,12 @@ impl Kernels {
             Some((g, choices)) => (g, Some(choices)),
             None => (g, None),
         };
-        // g, then every fork, then every argument: the derivative of a fork chooses between those of its sides.
+        // g, then every fork, every argument and what tells of it: the derivative of a fork chooses between those of its sides.
         let mut nodes = vec![g];
         if let Some(choices) = &choices {
             nodes.extend(choices.forks.iter().map(|fork| fork.node));
             nodes.extend(&choices.leaves);
+            nodes.extend(&choices.telling);
         }
         // Enclosures of powers do not know that they cancel; points need not.
         let nested = nested(graph, &nodes);
@@ -139,7 +140,7 @@ impl Kernels {
             gradient: Kernel::with_copies(&tapes[3], &gradient, simd),
             sum,
             parts: found.map(|(choices, [of_value, ..])| {
-                let tape = Tape::new(graph, &nested[1 + choices.forks.len()..]);
+                let tape = Tape::new(graph, &nested[1 + choices.forks.len() + choices.leaves.len()..]);
                 let leaves = Shortener::new(&tape, &of_value);
                 Parts {
                     leaves: Kernel::with_copies(&tape, &leaves, simd),
@@ -265,12 +266,14 @@ fn forks_of(
     }
     let (mut found, mut further) = (Vec::with_capacity(forks.len()), Vec::new());
     for (k, fork) in forks.iter().enumerate() {
-        let operands = [0, 1].map(|side| place[graph.args(fork.node)[side].0 as usize]);
+        let operands = sides_of(graph, fork.node).map(|side| place[side.0 as usize]);
         let node = images[k + 1];
         let [left, right] = operands.map(|p| images[p]);
-        let is_same = graph.op(node) == graph.op(fork.node);
-        let is_turned = is_same && graph.args(node) == [right, left];
-        if !(is_turned || is_same && graph.args(node) == [left, right]) {
+        if graph.op(node) != graph.op(fork.node) {
+            return None;
+        }
+        let is_turned = sides_of(graph, node) == [right, left] && graph.op(node) != Op::Choose;
+        if !is_turned && sides_of(graph, node) != [left, right] {
             return None;
         }
         let turned = |mut pair: [NodeId; 2]| {
@@ -287,7 +290,7 @@ fn forks_of(
         for derivative in derivatives {
             let node = derivative[k + 1];
             let [first, second] = turned(operands.map(|p| derivative[p]));
-            if graph.op(node) == Op::Choose && graph.args(node)[1..] == [first, second] {
+            if graph.op(node) == Op::Choose && sides_of(graph, node) == [first, second] {
                 further.push(Fork { node, sides, ..*fork });
             } else if node != first || node != second {
                 return None;
@@ -295,4 +298,10 @@ fn forks_of(
         }
     }
     Some((found, further))
+}
+
+/// The two operands between which a node chooses.
+fn sides_of(graph: &Graph, node: NodeId) -> [NodeId; 2] {
+    let args = graph.args(node);
+    [args[args.len() - 2], args[args.len() - 1]]
 }

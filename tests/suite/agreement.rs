@@ -134,7 +134,25 @@ fn unions(random: &mut Random) -> Vec<String> {
         format!("max({many}, z) = 0"),
         format!("0.5*({balls} + z + sqrt(({balls} - z)^2 + 0.01)) = 0"),
         format!("sin(2*{balls}) = 0.1"),
+        format!("{} = 0", layers(random, 9)),
     ]
+}
+
+/// Bumpy balls of which each is seen in a layer of its own.
+fn layers(random: &mut Random, count: usize) -> String {
+    (0..count).fold("x + 2".to_owned(), |rest, k| {
+        let mut wave = || {
+            format!(
+                "sin({:.2}*x + {:.2}*y)*cos({:.2}*z)/20",
+                5.0 * random.unit(),
+                5.0 * random.unit(),
+                5.0 * random.unit()
+            )
+        };
+        let bumps = (0..5).map(|_| wave()).collect::<Vec<_>>().join(" + ");
+        let edge = 1.2 - 0.3 * k as f64;
+        format!("if(z + 0.1*x < {edge:.2}, {rest}, x^2 + y^2 + z^2 - 1.{k} + {bumps})")
+    })
 }
 
 fn shape(scene: &toml::Value) -> Shape {

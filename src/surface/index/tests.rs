@@ -27,6 +27,15 @@ fn objects(random: &mut Random, op: &str, object: impl Fn(&str, f64) -> String) 
     all.into_iter().reduce(|a, b| format!("{op}({a},{b})")).unwrap()
 }
 
+/// Seven bumpy balls, each in a layer of its own.
+fn layers() -> String {
+    (0..7).fold("x+2".to_owned(), |rest, k| {
+        let ball = format!("(x-{k}/9)^2+y^2+z^2-0.8-{k}/20");
+        let bumps: Vec<String> = (1..9).map(|n| format!("sin({n}*x+{k})*cos({n}*y)*exp(z*{n}/9)/40")).collect();
+        format!("if(z+{k}/3-1+x/9<=0,{rest},{ball}+{})", bumps.join("+"))
+    })
+}
+
 #[test]
 fn rays_meet_the_same_with_an_index_and_without() {
     let mut random = Random(27);
@@ -38,6 +47,7 @@ fn rays_meet_the_same_with_an_index_and_without() {
         format!("max({holes},x^2+y^2+z^2-0.8)"),
         format!("0.5*({distances}+z+sqrt(({distances}-z)^2+0.01))"),
         format!("max({spheres},x)"),
+        layers(),
     ];
     for text in rows {
         let mut graph = Graph::new();
@@ -90,7 +100,7 @@ fn pieces_have_the_sign_of_the_whole_and_what_is_between_them_has_no_root() {
     let mut random = Random(5);
     let spheres = objects(&mut random, "min", |square, r| format!("{square}-{r:.4}"));
     let rounded = format!("0.5*({spheres}+z+sqrt(({spheres}-z)^2+0.01))");
-    for (text, most) in [(spheres, 3), (rounded, 1000)] {
+    for (text, most) in [(spheres, 3), (rounded, 1000), (layers(), 2)] {
         let mut graph = Graph::new();
         let f = formula(&mut graph, &text);
         let clip = Clip::shape(Shape::Ball { center: DVec3::splat(0.1), radius: 1.6 });
