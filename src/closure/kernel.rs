@@ -208,6 +208,10 @@ for_each_level! {
                     list.push(step!(out, |r, out| T::pair::<L>(pair, r.at(a), r.at(b), r.at(c), out)));
                     continue;
                 }
+                Action::Sized => {
+                    list.push(step!(out, |r, out| T::sized(r.at(a), r.at(b), out)));
+                    continue;
+                }
                 Action::Products { minus } => {
                     list.push(step!(out, |r, out| T::products::<L>(minus, [a, b, c, d].map(|k| r.at(k)), out)));
                     continue;

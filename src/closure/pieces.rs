@@ -41,7 +41,7 @@ impl Pieces {
     pub fn new(tape: Tape, simd: Simd) -> Self {
         let forks = tape.steps.iter().enumerate().filter_map(|(step, s)| match s.action {
             Action::One(op) if jumps(op) => Some(Fork { step, op, args: s.args, out: s.out }),
-            Action::One(_) | Action::SinCos(_) | Action::Pair(_) | Action::Products { .. } => None,
+            Action::One(_) | Action::SinCos(_) | Action::Pair(_) | Action::Sized | Action::Products { .. } => None,
         });
         Pieces { forks: forks.collect(), kernel: Kernel::new(&tape, simd) }
     }

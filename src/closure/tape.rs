@@ -35,6 +35,8 @@ pub enum Action {
     SinCos(Register),
     /// Two operations, of the first three arguments.
     Pair(Pair),
+    /// The first argument, of which the second is the size: see [`Number::sized`](crate::num::number::Number::sized).
+    Sized,
     /// The sum or the difference of two products of the arguments.
     Products {
         /// Whether it is the difference.
@@ -62,6 +64,19 @@ impl Tape {
     pub fn new(graph: &Graph, roots: &[NodeId]) -> Self {
         let folded = constant::fold(graph, &graph.reachable(roots), roots);
         Self::build(graph, roots, &folded, false)
+    }
+
+    /// The same, with the size of the first root (`expr::cases`), which says where that is not zero.
+    pub fn sized(graph: &Graph, roots: &[NodeId], size: NodeId) -> Self {
+        let mut tape = Tape::new(graph, &[roots, &[size]].concat());
+        if let Some(size) = tape.outputs.pop() {
+            let [first, out] = [tape.outputs[0], tape.registers as Register];
+            tape.registers += 1;
+            tape.steps.push(Step { action: Action::Sized, args: [first, size, first, first], out });
+            tape.nodes.push(roots[0]);
+            tape.outputs[0] = out;
+        }
+        tape
     }
 
     /// The same for batches of points: where it saves time, a step does the work of two. The results are the same bits.
@@ -270,4 +285,63 @@ const E: Constant = Constant {
 
 fn rational_constant(value: &Rational) -> Constant {
     Constant { point: value.to_f64(), range: value.enclosure() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::closure::{Formula, Kernel};
+    use crate::expr::cases;
+    use crate::expr::formula::formula;
+    use crate::num::affine_lanes::AffineLanes;
+    use crate::num::interval::Enclosure;
+    use crate::num::interval_lanes::{IntervalLanes, NOWHERE};
+    use crate::num::level::Simd;
+    use glam::DVec3;
+
+    #[test]
+    fn a_jump_past_zero_is_no_root_and_a_root_is_one() {
+        // Whether the formula has a root for x, y, z from −1/2 to 1/2; none has a sign there.
+        let rows = [
+            ("if(x<=0,1+x/10,y/10-1)", false),
+            ("if(x<=0,x+0.1,0-1)", true),
+            ("if(x<=0,1,if(y<=0,2,z-3))", false),
+            ("if(x<=0,1,if(y<=0,2,z-0.3))", true),
+            ("z-if(x<=0,2,0-2)", false),
+            ("z-if(x<=0,2,y)", true),
+            ("(y+1)*(0.1-if(x<=0,2,0-2+z))", false),
+            ("(y+0.1)*(0.1-if(x<=0,2,0-2+z))", true),
+            ("0-3*if(x*x-y<=0,exp(z),0-cos(z))", false),
+        ];
+        for (text, has_root) in rows {
+            let mut graph = Graph::new();
+            let g = formula(&mut graph, text);
+            let size = cases::size(&mut graph, g).expect(text);
+            let (value, sized) =
+                (Formula::new(&mut graph, g, Simd::best()), Formula::new(&mut graph, size.node, Simd::best()));
+            for k in 0..200 {
+                let part = |k: i32, n: i32| f64::from(k * n % 199) / 199.0 - 0.5;
+                let point = DVec3::new(part(k, 7), part(k, 31), part(k, 83));
+                assert!((value.value(point).abs() - sized.value(point)).abs() < 1e-14, "{text} {point}");
+            }
+            let tape = Tape::sized(&graph, &[g], size.node);
+            let range = Enclosure::total(Interval { lo: -0.5, hi: 0.5 });
+            let kernel: Kernel<IntervalLanes<8>> = Kernel::new(&tape, Simd::best());
+            let mut registers = kernel.registers();
+            registers[..3].fill(IntervalLanes::splat(range));
+            kernel.run(&mut registers);
+            assert_eq!(kernel.output(&registers, 0).flags[3] & NOWHERE == 0, has_root, "{text}");
+            let kernel: Kernel<AffineLanes<8>> = Kernel::new(&tape, Simd::best());
+            let mut registers = kernel.registers();
+            for axis in 0..3 {
+                registers[axis] = AffineLanes::splat(0.0, 0.0);
+                registers[axis].slope[axis] = [0.5; 8];
+            }
+            kernel.run(&mut registers);
+            assert_eq!(kernel.output(&registers, 0).flags[3] & NOWHERE == 0, has_root, "{text}");
+        }
+        let mut graph = Graph::new();
+        let g = formula(&mut graph, "x*sin(if(x<=0,1,y))");
+        assert!(cases::size(&mut graph, g).is_none());
+    }
 }

@@ -16,6 +16,7 @@
 //! - [`lower`]: names, functions, parameters, lists and regions become nodes.
 //! - [`mod@print`]: text that reads back as the same graph, and LaTeX.
 
+pub mod cases;
 pub mod curvature;
 pub mod derivative;
 pub mod equation;

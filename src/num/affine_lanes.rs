@@ -136,6 +136,18 @@ impl<const N: usize, const S: usize> Number for AffineLanes<N, S> {
         all
     }
 
+    #[inline(always)]
+    fn sized(a: &Self, size: &Self, out: &mut Self) {
+        out.clone_from(a);
+        for i in 0..N {
+            let ((lo, hi), (least, most)) = (a.bounds(i), size.bounds(i));
+            let has_root = !((lo > 0.0) | (hi < 0.0));
+            if has_root && (least > 0.0 || most < 0.0) {
+                out.flags[i] = PARTIAL | JUMP | NOWHERE;
+            }
+        }
+    }
+
     by_intervals! { sign, floor, asin, acos, asinh, acosh, atanh, self_power }
 
     by_forms! {

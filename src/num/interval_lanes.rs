@@ -91,6 +91,17 @@ impl<const N: usize> Number for IntervalLanes<N> {
         Self::splat(if nothing { Enclosure::NOWHERE } else { Enclosure::total(value.range) })
     }
 
+    #[inline(always)]
+    fn sized(a: &Self, size: &Self, out: &mut Self) {
+        out.clone_from(a);
+        for i in 0..N {
+            let has_root = !((a.lo[i] > 0.0) | (a.hi[i] < 0.0));
+            if has_root && (size.lo[i] > 0.0 || size.hi[i] < 0.0) {
+                out.set(i, Enclosure::NOWHERE);
+            }
+        }
+    }
+
     by_arrays! {
         arithmetic::neg(a);
         arithmetic::abs(a);

@@ -135,6 +135,12 @@ pub trait Number: Clone + Send + Sync + 'static {
         Self::mul::<L>(c, d, &mut right);
         basic::<Self, L>(if minus { Basic::Sub } else { Basic::Add }, &left, &right, out);
     }
+    /// a, of which `size` is the size: where that is not zero a has no root, though it may jump from one sign to the other, and counts
+    /// as if it had no value. Only enclosures need that.
+    #[inline(always)]
+    fn sized(a: &Self, _size: &Self, out: &mut Self) {
+        out.clone_from(a);
+    }
     /// a where c ≤ 0, else b
     fn choose<L: Level>(c: &Self, a: &Self, b: &Self, out: &mut Self);
 }

@@ -10,6 +10,7 @@ use super::tile::{FormFiles, Forms};
 use crate::closure::shorten::{Fork, Shortener, is_private};
 use crate::closure::specialise::{Choices, Slabs};
 use crate::closure::{Excerpt, Kernel, Tape};
+use crate::expr::cases::{self, Size};
 use crate::expr::derivative::{along_ray, derivative};
 use crate::expr::graph::{Graph, NodeId};
 use crate::expr::nest::nested;
@@ -84,7 +85,8 @@ impl Program {
 
 impl Kernels {
     /// The kernels of a node; its derivatives, and its minima in balanced order, are added to the graph.
-    pub(crate) fn new(graph: &mut Graph, g: NodeId, simd: Simd) -> Self {
+    /// With `jumps_are_walls` a root is also where g jumps from one sign to the other.
+    pub(crate) fn new(graph: &mut Graph, g: NodeId, jumps_are_walls: bool, simd: Simd) -> Self {
         let (g, choices) = match Choices::new(graph, g) {
             Some((g, choices)) => (g, Some(choices)),
             None => (g, None),
@@ -103,17 +105,28 @@ impl Kernels {
         let seeds = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
         let gradients = seeds.map(|seeds| derivative(graph, &nodes, seeds));
 
+        let size = if jumps_are_walls { None } else { cases::size(graph, nested[0]) };
+        let enclosing = |graph: &Graph, roots: &[NodeId]| match &size {
+            Some(size) => Tape::sized(graph, roots, size.node),
+            None => Tape::new(graph, roots),
+        };
+
         let with_slope = [nested[0], slopes[0]];
         let with_gradient = [g, gradients[0][0], gradients[1][0], gradients[2][0]];
         let tapes = [
-            Tape::new(graph, &nested[..1]),
-            Tape::new(graph, &with_slope),
+            enclosing(graph, &nested[..1]),
+            enclosing(graph, &with_slope),
             Tape::for_points(graph, &[g]),
             Tape::for_points(graph, &with_gradient),
         ];
         let found = choices.and_then(|choices| {
-            let value = forks_of(graph, &choices.forks, &nodes, &nested, &[])?;
-            let slope = forks_of(graph, &choices.forks, &nodes, &nested, &[&slopes])?;
+            let mut value = forks_of(graph, &choices.forks, &nodes, &nested, &[])?;
+            let mut slope = forks_of(graph, &choices.forks, &nodes, &nested, &[&slopes])?;
+            if let Some(size) = &size {
+                let forks = forks_of_size(size, &value.0);
+                value.1.extend_from_slice(&forks);
+                slope.1.extend(forks);
+            }
             let gradient = forks_of(graph, &choices.forks, &nodes, &nodes, &gradients.each_ref())?;
             let is_private = is_private(graph, &nested[..1], &value.0)
                 && is_private(graph, &with_slope, &slope.1)
@@ -304,4 +317,12 @@ fn forks_of(
 fn sides_of(graph: &Graph, node: NodeId) -> [NodeId; 2] {
     let args = graph.args(node);
     [args[args.len() - 2], args[args.len() - 1]]
+}
+
+/// The forks in the size of a function that choose as some of its own.
+fn forks_of_size(size: &Size, forks: &[Fork]) -> Vec<Fork> {
+    let of = |&(node, choice): &(NodeId, NodeId)| {
+        forks.iter().find(|fork| fork.node == choice).map(|fork| Fork { node, ..*fork })
+    };
+    size.choices.iter().filter_map(of).collect()
 }

@@ -106,7 +106,7 @@ impl Surface {
             Kind::Equation => equation::sheets(graph, f).sheets,
             Kind::Solid => vec![equation::Sheet { g: f, guards: Vec::new(), nonzero: Vec::new(), sign: Sign::Same }],
         };
-        let sheets = parts.iter().map(|part| sheet(graph, part, clip, simd)).collect();
+        let sheets = parts.iter().map(|part| sheet(graph, part, kind, clip, simd)).collect();
         let written = written(graph, f, simd);
         Surface { sheets, written, shapes: clip.shapes.clone(), size: clip.size(), kind, simd }
     }
@@ -130,13 +130,13 @@ fn written(graph: &mut Graph, f: NodeId, simd: Simd) -> Written {
     }
 }
 
-fn sheet(graph: &mut Graph, part: &equation::Sheet, clip: &Clip, simd: Simd) -> Sheet {
+fn sheet(graph: &mut Graph, part: &equation::Sheet, kind: Kind, clip: &Clip, simd: Simd) -> Sheet {
     let (g, fields) = (part.g, &clip.fields);
     let slope = along_ray(graph, &[g])[0];
     let curvature = along_ray(graph, &[slope])[0];
     let mut scalar = vec![g, slope, curvature];
     scalar.extend(part.guards.iter().chain(&part.nonzero).chain(fields));
-    let kernels = Kernels::new(graph, g, simd);
+    let kernels = Kernels::new(graph, g, kind == Kind::Solid, simd);
     Sheet {
         index: Index::new(&kernels, &clip.shapes, simd),
         kernels,

@@ -61,6 +61,7 @@ fn line(step: &Step, constants: &[(Register, f64)]) -> String {
     match step.action {
         Action::One(op) => format!("{out} = {}", operation(op, [&a, &b, &c])),
         Action::SinCos(cosine) => format!("{out} = sin({a}), r{cosine} = cos({a})"),
+        Action::Sized => format!("{out} = {a}"),
         Action::Products { minus } => format!("{out} = {a}*{b} {} {c}*{d}", if minus { "-" } else { "+" }),
         Action::Pair(pair) => format!("{out} = {pair:?}({a}, {b}, {c})"),
     }
