@@ -73,7 +73,6 @@ impl Index {
     ) {
         let mut lanes = Lanes::new();
         loop {
-            let mut is_done = true;
             for i in 0..LANES {
                 if lanes.walkers[i].is_none() {
                     lanes.walkers[i] = self.next(rays, waiting, most, pieces);
@@ -81,40 +80,51 @@ impl Index {
                         self.enter(&mut lanes, i, &rays.ray(open.ray), open.a);
                     }
                 }
-                let Some(walker) = &mut lanes.walkers[i] else { continue };
-                is_done = false;
-                let (t, end) = (lanes.t[i], walker.open.end);
-                if t >= end {
-                    walker.close(end, pieces);
-                    lanes.walkers[i] = None;
-                    continue;
-                }
-                let (middle, fine) = (lanes.middle[i] as usize, lanes.fine[i] as usize);
-                if middle >= MIDDLE.pow(3) {
-                    // Rays end before they leave the box.
-                    walker.close(t, pieces);
-                    pieces.push(Piece { program: None, open: walker.part(t, end) });
-                    lanes.walkers[i] = None;
-                    continue;
-                }
-                let mut entry = self.known(middle, fine);
-                if entry == 0 {
-                    entry = self.entry(middle, fine, kernels, scratch);
-                }
-                lanes.across[i] = ACROSS[(entry & 3) as usize];
-                if entry >> 3 != walker.program {
-                    walker.close(t, pieces);
-                    (walker.from, walker.program) = (t, entry >> 3);
-                    if walker.left == 0 {
-                        rest.push(walker.part(t, end));
-                        lanes.walkers[i] = None;
-                    }
-                }
             }
-            if is_done {
+            if lanes.walkers.iter().all(Option::is_none) {
                 return;
             }
+            for i in 0..LANES {
+                self.look(&mut lanes, i, kernels, scratch, (pieces, rest));
+            }
             step(self.simd, &mut lanes);
+        }
+    }
+
+    /// What a lane has come to: another piece, or the end of its ray.
+    #[inline(always)]
+    fn look(
+        &self,
+        lanes: &mut Lanes,
+        i: usize,
+        kernels: &Kernels,
+        scratch: &mut Scratch,
+        (pieces, rest): (&mut Vec<Piece>, &mut Vec<Open>),
+    ) {
+        let Some(walker) = &mut lanes.walkers[i] else { return };
+        let (t, end) = (lanes.t[i], walker.open.end);
+        let (middle, fine) = (lanes.middle[i] as usize, lanes.fine[i] as usize);
+        if t >= end || middle >= MIDDLE.pow(3) {
+            walker.close(t.min(end), pieces);
+            if t < end {
+                // Rays end before they leave the box.
+                pieces.push(Piece { program: None, open: walker.part(t, end) });
+            }
+            lanes.walkers[i] = None;
+            return;
+        }
+        let mut entry = self.known(middle, fine);
+        if entry == 0 {
+            entry = self.entry(middle, fine, kernels, scratch);
+        }
+        lanes.across[i] = ACROSS[(entry & 3) as usize];
+        if entry >> 3 != walker.program {
+            walker.close(t, pieces);
+            (walker.from, walker.program) = (t, entry >> 3);
+            if walker.left == 0 {
+                rest.push(walker.part(t, end));
+                lanes.walkers[i] = None;
+            }
         }
     }
 
