@@ -288,7 +288,7 @@ fn scene(
         shape: smallest(region),
         aspect: f64::from(settings.size.width()) / f64::from(settings.size.height()),
         may_move_aside: found.is_some(),
-        tracer: RefCell::new(None),
+        seen: RefCell::default(),
     };
     let Place { camera, look_at, center, radius } = outlook.place().map_err(|error| match block {
         Some(block) if wishes.view == View::default() => {
