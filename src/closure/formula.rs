@@ -6,11 +6,13 @@
 use super::{Kernel, Tape};
 use crate::expr::derivative::gradient;
 use crate::expr::graph::{Graph, NodeId};
+use crate::num::affine_lanes::AffineLanes;
 use crate::num::interval::{Enclosure, Interval};
 use crate::num::interval_lanes::IntervalLanes;
 use crate::num::lanes::Lanes;
 use crate::num::level::Simd;
 use glam::DVec3;
+use std::sync::OnceLock;
 
 /// How many boxes are enclosed at once by [`Formula::enclosures`].
 const BOXES: usize = 16;
@@ -20,6 +22,10 @@ pub struct Formula {
     gradient: Kernel<Lanes<1>>,
     single: Kernel<IntervalLanes<1>>,
     many: Kernel<IntervalLanes<BOXES>>,
+    /// Made when it is first asked for: most formulas never are.
+    forms: OnceLock<Kernel<AffineLanes<BOXES>>>,
+    tape: Tape,
+    simd: Simd,
 }
 
 impl Formula {
@@ -31,6 +37,9 @@ impl Formula {
             gradient: Kernel::new(&Tape::for_points(graph, &[f, x, y, z]), simd),
             single: Kernel::new(&tape, simd),
             many: Kernel::new(&tape, simd),
+            forms: OnceLock::new(),
+            tape,
+            simd,
         }
     }
 
@@ -60,9 +69,45 @@ impl Formula {
         self.single.output(&registers, 0).get(0)
     }
 
-    /// The same for many boxes, a number of them at once.
+    /// f over many boxes, with how it leans in each.
+    pub fn forms_over_boxes(&self) -> FormsOverBoxes<'_> {
+        let kernel = self.forms.get_or_init(|| Kernel::new(&self.tape, self.simd));
+        FormsOverBoxes { kernel, registers: kernel.registers() }
+    }
+
+    /// The same as [`Formula::enclosure`] for many boxes, a number of them at once.
     pub fn over_boxes(&self) -> OverBoxes<'_> {
         OverBoxes { kernel: &self.many, registers: self.many.registers() }
+    }
+}
+
+/// A function as affine forms over boxes, with the memory it runs on.
+pub struct FormsOverBoxes<'a> {
+    kernel: &'a Kernel<AffineLanes<BOXES>>,
+    registers: Vec<AffineLanes<BOXES>>,
+}
+
+impl FormsOverBoxes<'_> {
+    /// The forms over so many boxes, each lane one, from their corners; each symbol is the place along one axis.
+    pub fn over(&mut self, boxes: &[[DVec3; 2]], mut give: impl FnMut(usize, &AffineLanes<BOXES>, usize)) {
+        for (number, chunk) in boxes.chunks(BOXES).enumerate() {
+            for lane in 0..BOXES {
+                // As in [`OverBoxes::enclosures`].
+                let [min, max] = *chunk.get(lane).unwrap_or(&chunk[0]);
+                let (middle, half) = ((min + max) * 0.5, (max - min) * 0.5);
+                let rounded = min.abs().max(max.abs()) * f64::EPSILON;
+                for axis in 0..3 {
+                    let form = &mut self.registers[axis];
+                    (form.center[lane], form.error[lane], form.flags[lane]) = (middle[axis], rounded[axis], 0);
+                    for symbol in 0..3 {
+                        form.slope[symbol][lane] = if symbol == axis { half[axis] } else { 0.0 };
+                    }
+                }
+            }
+            self.kernel.run(&mut self.registers);
+            let f = self.kernel.output(&self.registers, 0);
+            (0..chunk.len()).for_each(|lane| give(number * BOXES + lane, f, lane));
+        }
     }
 }
 

@@ -83,7 +83,8 @@ impl Cube {
         std::array::from_fn(|k| Asked { cube: cubes[k], cell: cells[k] })
     }
 
-    pub(super) fn farthest(&self, point: DVec3) -> f64 {
+    /// The distance from a point within which all of it is.
+    pub(crate) fn farthest(&self, point: DVec3) -> f64 {
         (self.min - point).abs().max((self.max - point).abs()).length()
     }
 

@@ -105,11 +105,15 @@ impl<'a> Search<'a> {
     fn expand(&mut self, parent: Cube, open: Option<usize>, mut take: impl FnMut(Waiting, Cube)) {
         let first = self.parents.len() as u32 * 8;
         self.parents.push(parent);
-        for (place, Asked { cube, cell }) in (first..).zip(parent.asked_children(self.classify)) {
-            let key = (self.key)(&cube);
+        let cubes = parent.children();
+        let mut cells = [Cell::Possible; 8];
+        (self.classify)(&cubes, &mut cells);
+        // By reference: to move a box that has just been written waits until it is.
+        for ((place, cube), cell) in (first..).zip(&cubes).zip(cells) {
+            let key = (self.key)(cube);
             let drawer = self.drawer_of(key);
             if open.is_some_and(|open| drawer <= open) {
-                take(Waiting { key, next: NONE, place, cell }, cube);
+                take(Waiting { key, next: NONE, place, cell }, *cube);
             } else {
                 let next = std::mem::replace(&mut self.drawers[drawer], self.waiting.len() as u32);
                 self.waiting.push(Waiting { key, next, place, cell });

@@ -6,6 +6,7 @@
 
 use super::cells::{Asked, Cell, Classify, Cube};
 use super::extreme::{EXTREME_CELLS, EXTREME_SHARE, Ranked, extreme};
+use super::slab::{Slabs, farthest};
 use crate::surface::Shape;
 use glam::DVec3;
 use std::collections::BinaryHeap;
@@ -83,12 +84,12 @@ impl Framing {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nothing(pub Cell);
 
-/// Finds the ball.
+/// Finds the ball, by what is proven of boxes and by where in them surfaces can be.
 ///
 /// # Errors
 /// If no box within 2^[`MAX_POWER`] of the origin can hold a surface.
-pub fn find(classify: Classify) -> Result<Framing, Nothing> {
-    let mut search = Search { classify, cells_left: MAX_CELLS };
+pub fn find(classify: Classify, slabs: Slabs) -> Result<Framing, Nothing> {
+    let mut search = Search { classify, slabs, cells_left: MAX_CELLS };
     if let Some(framing) = search.bounded() {
         return Ok(framing);
     }
@@ -97,6 +98,7 @@ pub fn find(classify: Classify) -> Result<Framing, Nothing> {
 
 struct Search<'a> {
     classify: Classify<'a>,
+    slabs: Slabs<'a>,
     cells_left: u32,
 }
 
@@ -164,7 +166,10 @@ impl Search<'_> {
         let center = DVec3::select(middle.abs().cmplt(DVec3::splat(half / 64.0)), DVec3::ZERO, middle);
         let center = rounded(center, half);
         let width = bounds.width() * EXTREME_SHARE;
-        let radius = extreme(self.classify, bounds, width, EXTREME_CELLS, &|cube| cube.farthest(center))?;
+        let radius = match farthest(self.slabs, bounds, width, center) {
+            Some(radius) => radius,
+            None => extreme(self.classify, bounds, width, EXTREME_CELLS, &|cube| cube.farthest(center))?,
+        };
         Some(Framing { center, radius: round_to_three_digits(radius * MARGIN), is_all: true })
     }
 
@@ -300,7 +305,13 @@ fn round_to_three_digits(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::cells::each;
+    use super::super::slab::nothing_known;
     use super::*;
+
+    /// What is found by a question that is asked of one box at a time, with nothing known of where in a box a surface is.
+    fn find(classify: impl Fn(&[Cube], &mut [Cell])) -> Result<Framing, Nothing> {
+        super::find(&classify, &nothing_known(&classify))
+    }
 
     /// Classifies boxes against the sphere around `center`, exactly.
     fn sphere(center: DVec3, radius: f64) -> impl Fn(DVec3, DVec3) -> Cell {
@@ -328,7 +339,7 @@ mod tests {
             (DVec3::new(1e6, 0.0, 0.0), 1.0),
         ];
         for (center, radius) in rows {
-            let framing = find(&each(sphere(center, radius))).unwrap();
+            let framing = find(each(sphere(center, radius))).unwrap();
             assert!(framing.is_all);
             assert!((framing.center - center).length() < 0.03 * radius, "{framing:?}");
             assert!(framing.radius > 1.02 * radius && framing.radius < 1.12 * radius, "{framing:?}");
@@ -338,7 +349,7 @@ mod tests {
     #[test]
     fn a_point_is_framed_by_a_ball_of_radius_one() {
         for center in [DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0), DVec3::new(-0.1, 70.0, 1e-5), DVec3::splat(1e5)] {
-            let framing = find(&each(sphere(center, 0.0))).unwrap();
+            let framing = find(each(sphere(center, 0.0))).unwrap();
             assert_eq!((framing.radius, framing.is_all), (1.0, true), "{center}");
             assert!(framing.center.distance(center) < 1e-3, "{framing:?}");
         }
@@ -346,7 +357,7 @@ mod tests {
 
     #[test]
     fn what_is_framed_is_easily_typed() {
-        let framing = find(&each(sphere(DVec3::new(0.123456, -7.654321, 0.0), 0.5))).unwrap();
+        let framing = find(each(sphere(DVec3::new(0.123456, -7.654321, 0.0), 0.5))).unwrap();
         assert!(framing.center.distance(DVec3::new(0.123456, -7.654321, 0.0)) < 0.003);
         assert!(framing.center.to_array().iter().all(|c| c.to_string().len() <= 6), "{framing:?}");
     }
@@ -361,7 +372,7 @@ mod tests {
             }
         };
         for height in [0.0, 1.0, -40.0, 1000.0f64] {
-            let framing = find(&each(plane(height))).unwrap();
+            let framing = find(each(plane(height))).unwrap();
             let tolerance = 0.1 + height.abs() / 64.0;
             assert!((framing.center - DVec3::Z * height).length() < tolerance, "{height}: {framing:?}");
             assert_eq!((framing.radius, framing.is_all), (6.0, false));
@@ -375,15 +386,15 @@ mod tests {
             let inside = cube.nearest_point().length() <= 1.0 && cube.farthest(DVec3::ZERO) >= 1.0;
             if inside { Cell::Possible } else { Cell::Empty }
         };
-        assert_eq!(find(&each(tube)).unwrap(), Framing { center: DVec3::ZERO, radius: 6.0, is_all: false });
+        assert_eq!(find(each(tube)).unwrap(), Framing { center: DVec3::ZERO, radius: 6.0, is_all: false });
     }
 
     #[test]
     fn nothing_is_said_with_what_is_proven() {
         for cell in [Cell::Positive, Cell::Negative, Cell::Undefined, Cell::Empty] {
-            assert_eq!(find(&each(|_, _| cell)), Err(Nothing(cell)));
+            assert_eq!(find(each(|_, _| cell)), Err(Nothing(cell)));
         }
         let both = |min: DVec3, _: DVec3| if min.x >= 0.0 { Cell::Positive } else { Cell::Empty };
-        assert_eq!(find(&each(both)), Err(Nothing(Cell::Empty)));
+        assert_eq!(find(each(both)), Err(Nothing(Cell::Empty)));
     }
 }

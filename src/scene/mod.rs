@@ -13,6 +13,7 @@
 //! - [`light`]: lights and surroundings; [`daylight`]: the clear sky.
 //! - [`material`]: what surfaces are made of; [`metals`]: measured ones; [`texture`]: colours that change from point to point; [`palette`]:
 //!   maps of colours.
+//! - [`slab`]: where in a box a surface can be.
 //! - [`studio`]: the lights of a scene without lights.
 //! - [`view`]: what was asked of the camera, and the camera that it means.
 
@@ -28,6 +29,7 @@ pub mod light;
 pub mod material;
 pub mod metals;
 pub mod palette;
+pub mod slab;
 pub mod studio;
 pub mod texture;
 pub mod view;

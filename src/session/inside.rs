@@ -3,7 +3,7 @@
 //! In: the function as it was written, and what its equation becomes. Out: whether the inside is where the rewritten function is
 //! negative. Separate because it takes proofs: a surface that is bounded has its inside where the sign differs from that far away.
 
-use super::proofs::Prover;
+use super::proofs::{Prover, frame};
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
 use crate::expr::equation::{self, Sheet, Sign};
@@ -11,7 +11,6 @@ use crate::expr::graph::{Graph, NodeId};
 use crate::expr::lower::{Inside, Kind, SurfaceFormula};
 use crate::num::interval::{Defined, Interval};
 use crate::num::level::Simd;
-use crate::scene::framing;
 use glam::DVec3;
 
 /// How far from the middle of a bounded surface the space around it begins whose sign is proven, in its radii.
@@ -86,7 +85,7 @@ fn sign_of_f(sheets: &[Sheet], far: &[Option<Far>]) -> Far {
 fn sign_far_away(graph: &mut Graph, g: NodeId, simd: Simd) -> Option<Far> {
     let g = Formula::new(graph, g, simd);
     let prover = Prover::new(&g, &[], &[]);
-    let found = framing::find(&|cubes, cells| prover.classify(cubes, cells)).ok().filter(|found| found.is_all)?;
+    let found = frame(&[prover]).ok().filter(|found| found.is_all)?;
     let half = found.radius * AROUND;
     let mut sign = None;
     // 4 × 4 × 4 boxes but for the middle 2 × 2 × 2: a closed shell around all there is.

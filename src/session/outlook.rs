@@ -5,11 +5,12 @@
 //! cannot exclude is there at all.
 
 use crate::scene::cells::Classify;
-use crate::scene::fit::{self, Reach};
+use crate::scene::fit::{self, Reach, Stand};
 use crate::scene::{Camera, CameraError, View};
 use crate::surface::{self, Rectangle, Shape, Surface, Tracer};
 use glam::DVec3;
 use std::cell::RefCell;
+use std::rc::Rc;
 
 /// Rows of the rays that look around: enough to compare sides by, too few to take time.
 const ROWS: u32 = 36;
@@ -50,8 +51,15 @@ pub(super) struct Outlook<'a> {
     pub aspect: f64,
     /// Whether the point that is looked at was only found, so that it may move.
     pub may_move_aside: bool,
-    /// What looks, once something has been looked at.
-    pub tracer: RefCell<Option<Tracer<'a>>>,
+    /// What has been looked at.
+    pub seen: RefCell<Seen<'a>>,
+}
+
+/// What looks, once something has been looked at, and what was seen: many questions are asked of one look.
+#[derive(Default)]
+pub(super) struct Seen<'a> {
+    tracer: Option<Tracer<'a>>,
+    looks: Vec<(Camera, u32, Rc<[DVec3]>)>,
 }
 
 /// The eye, and what it looks at.
@@ -78,7 +86,7 @@ impl Outlook<'_> {
         if points.len() < FEWEST {
             return Ok(Place { camera, look_at, center: self.shape.center(), radius: self.shape.size() });
         }
-        let center = points.iter().sum::<DVec3>() / points.len() as f64;
+        let center = middle(&points);
         let radius = points.iter().map(|p| p.distance(center)).fold(0.0, f64::max) * LOOSE;
         Ok(Place { camera, look_at, center, radius })
     }
@@ -121,13 +129,22 @@ impl Outlook<'_> {
         Ok(best)
     }
 
-    /// The place on the same side from which all that reaches so far fills the picture.
+    /// Whether the eye may leave the line through the middle.
+    fn is_free(&self) -> bool {
+        self.may_move_aside && self.view.look_at.is_none() && self.view.orbit.is_none()
+    }
+
+    /// Where on the same side all that reaches so far fills the picture.
+    fn stand_for(&self, place: &Place, reach: &Reach, points: &[DVec3]) -> Stand {
+        let least = fit::least_distance(points, place.center, place.radius, &place.camera);
+        if self.is_free() { reach.stand(least) } else { reach.stand_centred(least) }
+    }
+
+    /// The place there, with as much air on one side of what is seen as on the other.
     fn fitted(&self, place: &Place, reach: &Reach, points: &[DVec3]) -> Result<Place, CameraError> {
-        let is_free = self.may_move_aside && self.view.look_at.is_none() && self.view.orbit.is_none();
         let old = &place.camera;
-        let least = fit::least_distance(points, place.center, place.radius, old);
-        let mut stand = if is_free { reach.stand(least) } else { reach.stand_centred(least) };
-        if is_free {
+        let mut stand = self.stand_for(place, reach, points);
+        if self.is_free() {
             let center = place.center + old.right * stand.right + old.up * stand.up;
             let camera = self.view.camera_at(center - old.forward * stand.back, center)?;
             stand = reach.balanced(stand, &self.glances(&camera, ROWS), place.center, old);
@@ -137,22 +154,40 @@ impl Outlook<'_> {
         Ok(Place { camera, look_at: center, center, radius: place.radius })
     }
 
+    /// How far points that are seen from a place reach.
+    fn reach_of(&self, points: &[DVec3], place: &Place) -> Option<Reach> {
+        let slopes = self.view.slopes(self.aspect).map(|slope| slope / LOOSE);
+        Reach::of_points(points, place.center, &place.camera, slopes)
+    }
+
+    /// Whether those points are all in a small part of the picture; `None` if they are too few to tell.
+    fn is_lost(&self, points: &[DVec3], place: &Place) -> Option<bool> {
+        let reach = self.reach_of(points, place).filter(|_| points.len() >= FEWEST)?;
+        let camera = &place.camera;
+        let depth = |from: DVec3| (middle(points) - from).dot(camera.forward);
+        let near = self.stand_for(place, &reach, points).back + depth(place.center);
+        Some(near < LOST * depth(camera.eye))
+    }
+
     /// Goes nearer while the picture is empty but for a small part.
     fn come_nearer(&self, mut place: Place) -> Result<Place, CameraError> {
         let mut has_moved = false;
         for _ in 0..APPROACHES {
-            let points = self.glances(&place.camera, FINE_ROWS);
-            let slopes = self.view.slopes(self.aspect).map(|slope| slope / LOOSE);
-            let Some(reach) = Reach::of_points(&points, place.center, &place.camera, slopes) else { break };
-            let middle = points.iter().sum::<DVec3>() / points.len() as f64;
-            let radius = points.iter().map(|p| p.distance(middle)).fold(0.0, f64::max);
-            let near = self.fitted(&place, &reach, &points)?;
-            let distance = |place: &Place| (middle - place.camera.eye).dot(place.camera.forward);
-            let is_lost = points.len() >= FEWEST && distance(&near) < LOST * distance(&place);
-            // From near, more rays meet it than from far: a last look, and the eye stands where it should.
-            if is_lost || has_moved {
-                place = Place { radius: radius * LOOSE, ..near };
+            // What a few rays find spread over the picture is spread over it, whatever more of them would find.
+            if !has_moved && self.is_lost(&self.glances(&place.camera, ROWS), &place) == Some(false) {
+                break;
             }
+            let points = self.glances(&place.camera, FINE_ROWS);
+            let Some(reach) = self.reach_of(&points, &place) else { break };
+            let middle = middle(&points);
+            let radius = points.iter().map(|p| p.distance(middle)).fold(0.0, f64::max);
+            let is_lost = self.is_lost(&points, &place) == Some(true);
+            if !is_lost && !has_moved {
+                break;
+            }
+            let near = self.fitted(&place, &reach, &points)?;
+            // From near, more rays meet it than from far: a last look, and the eye stands where it should.
+            place = Place { radius: radius * LOOSE, ..near };
             if !is_lost {
                 break;
             }
@@ -162,19 +197,30 @@ impl Outlook<'_> {
     }
 
     /// The points that a coarse picture sees.
-    fn glances(&self, camera: &Camera, rows: u32) -> Vec<DVec3> {
+    fn glances(&self, camera: &Camera, rows: u32) -> Rc<[DVec3]> {
         if self.surfaces.iter().map(Surface::steps).sum::<usize>() > MOST_STEPS {
-            return Vec::new();
+            return Rc::default();
+        }
+        let Seen { tracer, looks } = &mut *self.seen.borrow_mut();
+        if let Some((.., points)) = looks.iter().find(|(from, of, _)| (from, *of) == (camera, rows)) {
+            return points.clone();
         }
         let columns = (f64::from(rows) * self.aspect).clamp(4.0, f64::from(rows * 4)) as u32;
         let whole = Rectangle { left: 0, top: 0, width: columns, height: rows };
         let (mut rays, mut hits) = (Vec::new(), Vec::new());
-        let mut kept = self.tracer.borrow_mut();
-        let tracer = kept.get_or_insert_with(|| Tracer::new(self.surfaces, surface::Method::Faithful));
+        let tracer = tracer.get_or_insert_with(|| Tracer::new(self.surfaces, surface::Method::Faithful));
         tracer.trace_rectangle(&camera.screen(columns, rows), whole, &mut hits);
         tracer.rays(&mut rays);
-        rays.iter().zip(&hits).filter(|(_, hit)| hit.is_drawn()).map(|(ray, hit)| ray.at(hit.t)).collect()
+        let drawn = rays.iter().zip(&hits).filter(|(_, hit)| hit.is_drawn());
+        let points: Rc<[DVec3]> = drawn.map(|(ray, hit)| ray.at(hit.t)).collect();
+        looks.push((*camera, rows, points.clone()));
+        points
     }
+}
+
+/// The middle of points.
+fn middle(points: &[DVec3]) -> DVec3 {
+    points.iter().sum::<DVec3>() / points.len() as f64
 }
 
 /// The corners of the box around a shape.

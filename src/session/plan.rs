@@ -8,7 +8,7 @@ use super::matter;
 use super::outlook::{Outlook, Place};
 use super::paint::Painter;
 use super::program::Program;
-use super::proofs::{Prover, classify_all};
+use super::proofs::{Prover, classify_all, frame};
 use super::settings::{settings, without_use};
 use crate::closure::Formula;
 use crate::diag::Diagnostic;
@@ -20,7 +20,7 @@ use crate::film::{Size, Tone};
 use crate::num::level::Simd;
 use crate::render::filter::Filter;
 use crate::render::{Background, Drawing, Failure, Mode, Passes, Settings, Watch};
-use crate::scene::cells::{Cell, Cube};
+use crate::scene::cells::Cell;
 use crate::scene::framing::{self, MAX_POWER};
 use crate::scene::{Framing, Scene, Sides, View};
 use crate::surface::{self, Clip, Shape, Surface, Tracer};
@@ -133,8 +133,7 @@ impl Plan {
         }
         if region.is_empty() {
             let provers: Vec<Prover> = objects.iter().map(Object::prover).collect();
-            let classify = |cubes: &[Cube], cells: &mut [Cell]| classify_all(&provers, cubes, cells);
-            let framing = framing::find(&classify).map_err(nothing_to_see)?;
+            let framing = frame(&provers).map_err(nothing_to_see)?;
             if !objects.iter().all(is_bounded) {
                 found = Some(framing);
                 objects.iter_mut().for_each(|o| o.clip.shapes.push(framing.shape()));
@@ -288,7 +287,7 @@ fn scene(
         shape: smallest(region),
         aspect: f64::from(settings.size.width()) / f64::from(settings.size.height()),
         may_move_aside: found.is_some(),
-        tracer: RefCell::new(None),
+        seen: RefCell::default(),
     };
     let Place { camera, look_at, center, radius } = outlook.place().map_err(|error| match block {
         Some(block) if wishes.view == View::default() => {
