@@ -10,7 +10,7 @@
 //! - [`tree`]: the formula as a tree of closures of one point, as a first course writes it: the reference.
 //! - [`pieces`]: one enclosure at a time, with jumps and poles taken apart.
 //! - [`shorten`]: so much of a list of steps as some part of space needs.
-//! - [`specialise`]: which arguments of minima and maxima matter in a part of space.
+//! - [`specialise`]: which arguments of minima and maxima, and which branches, matter in a part of space.
 //! - [`formula`]: one formula with its value, gradient and enclosure, for whoever wants a single number.
 
 mod constant;

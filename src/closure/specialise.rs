@@ -59,6 +59,8 @@ impl Choices {
     pub fn new(graph: &mut Graph, root: NodeId) -> Option<(NodeId, Choices)> {
         let mut found = extremes(graph, root);
         found.extend(branches(graph, root));
+        // In the order in which they are balanced, so that their places are the same.
+        found.sort_by_key(|group| group.0);
         loop {
             if found.is_empty() {
                 return None;
@@ -264,4 +266,29 @@ fn beats(a: &Slabs, b: &Slabs, lane: usize, sign: f64) -> bool {
     let spread: f64 = (0..SYMBOLS).map(|s| (b.slope[s][lane] - a.slope[s][lane]).abs()).sum();
     let size = a.center[lane].abs() + b.center[lane].abs() + a.radius(lane) + b.radius(lane);
     distance > spread + a.error[lane] + b.error[lane] + 64.0 * f64::EPSILON * size
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::formula::formula;
+
+    #[test]
+    fn what_is_read_elsewhere_too_is_left_out_and_the_rest_stays() {
+        let wave = |k: usize| format!("sin({k}*x)*cos({k}*y)*exp(z/{k})");
+        let waves = |from: usize| (from..from + 8).map(wave).collect::<Vec<_>>().join("+");
+        let branches = format!("if(x<=0,{},{})", waves(2), waves(20));
+        // The minimum of y and z is a part of the first minimum.
+        for text in [format!("{branches}+min(x,min(y,z))+2*min(y,z)"), format!("min(x,min(y,z))+2*min(y,z)+{branches}")]
+        {
+            let mut graph = Graph::new();
+            let root = formula(&mut graph, &text);
+            let (_, choices) = Choices::new(&mut graph, root).unwrap();
+            assert_eq!(
+                choices.forks.iter().map(|fork| graph.op(fork.node)).collect::<Vec<_>>(),
+                [Op::Choose],
+                "{text}"
+            );
+        }
+    }
 }
